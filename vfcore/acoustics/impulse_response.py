@@ -1,0 +1,115 @@
+"""The tract as a linear filter: its impulse response, and one convolution per run.
+
+With one-way coupling the lips' pressure and flow are linear in the glottal flow, so the stepped tube need run only
+once per tract. With h_j its response to a unit flow at step 0 and τ = δ/c, a flow known between its samples gives
+
+    y(t) = Σ_j h_j Q_g(t − jτ).
+
+A run's flow q_k comes at its own step T and is taken as linear between samples, with hat(s) = max(0, 1 − |s|):
+
+    Q_g(t) = Σ_k q_k hat(t/T − k)    ⇒    y(mT) = Σ_k g_{m−k} q_k,    g_l = Σ_j h_j hat(l − jτ/T).
+
+So each h_j is shared between the two samples around jτ/T, and one formula serves every step: T = 4τ (folding four
+phases into one), T = τ (h itself), T = τ/4 (four interleaved tubes) and anything else. It equals stepping the tube
+with the interpolated flow. Straight lines cost treble, sinc²(fT): at 35 kHz −0.2 dB at 3 kHz, −0.6 dB at 5 kHz,
+−1.5 dB at 8 kHz. The flow is 0 before its first sample: a run that starts with flow starts with a jump.
+
+The far pressure is that of a simple source in free field, p = ρ/(4πr) dU/dt (Morse & Ingard 1968), without the
+travel time from the lips; dU/dt by the fourth-order central difference at τ (at 8 kHz within 0.1 %).
+"""
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from scipy.fft import irfft, next_fast_len, rfft
+
+from vfcore.acoustics.resonances import poles
+from vfcore.acoustics.tract import LipOutput, Tract, stepped
+from vfcore.errors import ParameterError
+from vfcore.fields import check_number
+from vfcore.params import STEP_LIMITS_S
+
+FAR_DISTANCE_M = 0.3  # the usual microphone distance in the clinic
+LEFT_OUT_ENERGY = 1e-20  # of the response: a long run agrees with the stepped tube to 1e-9
+LONGEST_RESPONSE = 2_000_000
+LONGEST_BLOCK = 50_000  # samples per transform: 1 s of the default step in one, and a bounded memory
+_CENTRAL_DIFFERENCE = np.array([-1, 8, 0, -8, 1]) / 12  # y_{j+2} … y_{j−2}, as a convolution kernel
+
+
+class Radiated(NamedTuple):
+    """Sound of a run, shape (n,) each: pressure at the lips and at FAR_DISTANCE_M, Pa; flow at the lips, m³/s."""
+
+    lip_pressure_pa: np.ndarray
+    mouth_flow_m3_s: np.ndarray
+    far_pressure_pa: np.ndarray
+
+
+def response_length(tract: Tract, left_out_energy: float = LEFT_OUT_ENERGY) -> int:
+    """Steps after which the slowest resonance has ``left_out_energy`` of its energy left.
+
+    ParameterError when the tract hardly loses energy (no attenuation and an open end).
+    """
+    decay = -2 * math.log(np.abs(poles(tract)).max())  # of energy, per step
+    steps = math.log(1 / left_out_energy) / decay if decay > 0 else math.inf
+    if steps > LONGEST_RESPONSE:
+        raise ParameterError("tract", "the tract rings without end", "attenuation above 0, or piston radiation")
+    return len(tract.areas_m2) + math.ceil(steps)
+
+
+@lru_cache(maxsize=32)
+def impulse_response(tract: Tract) -> LipOutput:
+    """Lip pressure and mouth flow after a unit glottal flow at step 0, per section travel; read-only."""
+    impulse = np.zeros(response_length(tract))
+    impulse[0] = 1.0
+    response = stepped(impulse, tract)
+    for waveform in response:
+        waveform.flags.writeable = False
+    return response
+
+
+@lru_cache(maxsize=16)
+def _response_at(tract: Tract, time_step_s: float) -> np.ndarray:
+    """g for lip pressure, mouth flow and far pressure, shape (3, taps)."""
+    lip_pressure, mouth_flow = impulse_response(tract)
+    flow_rate = np.convolve(mouth_flow, _CENTRAL_DIFFERENCE)[2:-2] / tract.section_travel_s
+    far_pressure = tract.density_kg_m3 / (4 * np.pi * FAR_DISTANCE_M) * flow_rate
+    place = np.arange(lip_pressure.size) * (tract.section_travel_s / time_step_s)
+    before = np.floor(place).astype(np.int64)
+    share = place - before
+    folded = [
+        np.bincount(before, response * (1 - share), before[-1] + 2) + np.bincount(before + 1, response * share)
+        for response in (lip_pressure, mouth_flow, far_pressure)
+    ]
+    return np.array(folded)
+
+
+@lru_cache(maxsize=16)
+def _spectra_at(tract: Tract, time_step_s: float, length: int) -> np.ndarray:
+    """Spectra of g, zero-padded to ``length`` samples, shape (3, length//2 + 1)."""
+    return rfft(_response_at(tract, time_step_s), length, axis=1)
+
+
+def radiate(flow_m3_s: np.ndarray, time_step_s: float, tract: Tract) -> Radiated:
+    """Sound of a glottal flow, shape (n,) at ``time_step_s``, at the same times as the flow.
+
+    ParameterError when the flow is not a finite waveform or the step is out of range.
+    """
+    check_number("time_step_s", time_step_s, *STEP_LIMITS_S, "s")
+    flow = np.asarray(flow_m3_s, dtype=np.float64)
+    if flow.ndim != 1 or flow.size == 0:
+        raise ParameterError("flow_m3_s", f"shape {flow.shape} is not a waveform", "one value per time step")
+    if not np.isfinite(flow).all():
+        raise ParameterError("flow_m3_s", "the flow has values that are not finite", "finite values, m³/s")
+    taps = _response_at(tract, float(time_step_s)).shape[1]
+    block = min(flow.size, max(LONGEST_BLOCK, 2 * taps))
+    length = next_fast_len(block + taps - 1, real=True)
+    spectra = _spectra_at(tract, float(time_step_s), length)
+    hop = length - taps + 1
+    sound = np.zeros((3, flow.size + length))
+    for start in range(0, flow.size, hop):  # overlap-add: a block's response reaches into the next ones
+        spectrum = rfft(flow[start : start + hop], length)
+        for waveform, response in zip(sound, spectra, strict=True):
+            waveform[start : start + length] += irfft(spectrum * response, length, overwrite_x=True)
+    return Radiated(*sound[:, : flow.size])

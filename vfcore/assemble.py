@@ -1,0 +1,142 @@
+"""From a posture and its coefficients to the buffer the step works on."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from vfcore.constants import FoldConstants
+from vfcore.kernels.layout import FIRST, SCALARS, Layout
+from vfcore.params import Simulation
+from vfcore.tissue.beam import beam_operator
+from vfcore.tissue.coefficients import Coefficients
+
+
+@dataclass(frozen=True)
+class Fold:
+    """One prestrained fold on a grid: everything the equations need, nothing that moves.
+
+    Arrays: ``x_m`` (nx,), ``y_m`` (ny,), ``medial_plane_m`` G (ny, nx), ``K_coup_pa_m`` (ny,),
+    ``beam_matrix_n_m2`` (nx−2, nx−2) and ``beam_load_n_m`` (nx−2,).
+    """
+
+    nx: int
+    ny: int
+    rotation: bool
+    coefficients: Coefficients
+    constants: FoldConstants
+    x_m: np.ndarray
+    y_m: np.ndarray
+    medial_plane_m: np.ndarray
+    K_coup_pa_m: np.ndarray
+    beam_matrix_n_m2: np.ndarray
+    beam_load_n_m: np.ndarray
+
+    @property
+    def dx(self) -> float:
+        return self.coefficients.length_m / (self.nx - 1)
+
+    @property
+    def dy(self) -> float:
+        return self.coefficients.thickness_m / (self.ny - 1)
+
+
+def assemble(request: Simulation, c: Coefficients, theta_g: float, theta_0: float) -> Fold:
+    """The fold of a request at a given posture (θ_g clipped at 0, θ_0 the rest angle, rad)."""
+    nx, ny = request.run.nx, request.run.ny
+    choices = request.model.resolved()
+    x = np.linspace(0.0, c.length_m, nx)
+    y = np.linspace(0.0, c.thickness_m, ny)
+    G = x * np.tan(theta_g) + y[:, None] * np.tan(request.convergence_angle_rad)
+    soft, stiff = request.constants.K_coup_min_pa_m, request.constants.K_coup_max_pa_m
+    from_stiff_edge = y / c.thickness_m
+    if choices.coupling_gradient == "inferior_stiff":
+        from_stiff_edge = 1.0 - from_stiff_edge
+    matrix, load = beam_operator(nx, c, request.constants, theta_g, theta_0)
+    return Fold(
+        nx=nx,
+        ny=ny,
+        rotation=choices.shear == "rotation",
+        coefficients=c,
+        constants=request.constants,
+        x_m=x,
+        y_m=y,
+        medial_plane_m=G,
+        K_coup_pa_m=stiff + (soft - stiff) * from_stiff_edge,
+        beam_matrix_n_m2=matrix,
+        beam_load_n_m=load,
+    )
+
+
+def with_constants(fold: Fold, **changes: float) -> Fold:
+    """The same fold with some constants of the moving equations replaced (dampers, contact)."""
+    return replace(fold, constants=replace(fold.constants, **changes))
+
+
+def scalars(fold: Fold, time_step_s: float) -> np.ndarray:
+    """The step's parameter array, layout.SCALARS."""
+    c, k = fold.coefficients, fold.constants
+    values = {
+        "dt": time_step_s,
+        "dy": fold.dy,
+        "alpha_s": k.alpha_s,
+        "half_rho_a": 0.5 * k.rho_a_kg_m3,
+        "twelve_mu_a": 12.0 * k.mu_a_pa_s,
+        "T_over_dx2": c.membrane_tension_n_m / fold.dx**2,
+        "G_shear": c.membrane_shear_n_m,
+        "eta_shear": c.membrane_shear_viscosity_n_s_m,
+        "C_coup": k.C_coup_pa_s_m,
+        "K_col": k.K_col_pa_m,
+        "C_col": k.C_col_pa_s_m,
+        "K_foun": k.K_foun_pa,
+        "C_foun": k.C_foun_pa_s,
+        "per_beam_density": 1.0 / c.beam_density_kg_m,
+        "per_rotation_inertia": 1.0 / c.rotation_inertia_kg_m,
+        "G_rotation": k.G_m_pa,
+        "eta_rotation": k.eta_m_pa_s,
+    }
+    return np.array([values[name] for name in SCALARS])
+
+
+def new_buffer(fold: Fold, time_step_s: float) -> np.ndarray:
+    """A buffer with the fixed fields filled and the state at rest (flat, unmoving)."""
+    layout = Layout(fold.nx, fold.ny)
+    buffer = np.zeros(layout.size)
+    rows = slice(FIRST, FIRST + fold.nx)
+    medial = _field(buffer, layout, "G")
+    medial[:] = 1.0  # idle columns: far from contact
+    medial[:, rows] = fold.medial_plane_m
+    _field(buffer, layout, "K_coup")[:] = fold.K_coup_pa_m[:, None]
+
+    inner = slice(FIRST + 1, FIRST + fold.nx - 1)
+    _line(buffer, layout, "inverse_density")[inner] = 1.0 / fold.coefficients.membrane_density_kg_m2
+    width = _line(buffer, layout, "width")
+    width[inner] = fold.dx
+    width[FIRST + fold.nx - 1] = 0.5 * fold.dx
+    _line(buffer, layout, "beam_load")[inner] = fold.beam_load_n_m / fold.coefficients.beam_density_kg_m
+
+    n = fold.nx - 2
+    A = fold.beam_matrix_n_m2 / fold.coefficients.beam_density_kg_m
+    inverse = np.linalg.inv(np.eye(n) - 0.25 * time_step_s**2 * A)
+    block = buffer[layout.beam_inverse :].reshape(n, layout.columns)
+    block[:, :n] = inverse.T
+    return buffer
+
+
+def _field(buffer: np.ndarray, layout: Layout, name: str) -> np.ndarray:
+    start = layout.field(name)
+    return buffer[start : start + layout.ny * layout.stride].reshape(layout.ny, layout.stride)
+
+
+def _line(buffer: np.ndarray, layout: Layout, name: str) -> np.ndarray:
+    start = layout.line(name)
+    return buffer[start : start + layout.stride]
+
+
+def membrane(buffer: np.ndarray, fold: Fold, name: str = "w") -> np.ndarray:
+    """A view (ny, nx) of a field of the buffer, ends included."""
+    return _field(buffer, Layout(fold.nx, fold.ny), name)[:, FIRST : FIRST + fold.nx]
+
+
+def beam(buffer: np.ndarray, fold: Fold, name: str = "w_b") -> np.ndarray:
+    """A view (nx,) of a line of the buffer, ends included."""
+    return _line(buffer, Layout(fold.nx, fold.ny), name)[FIRST : FIRST + fold.nx]

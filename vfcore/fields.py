@@ -1,0 +1,78 @@
+"""One declaration per number: unit, label, range, source and help travel with the field.
+
+The parameter schema, the validator, the command line's help and docs/model.md all read
+the metadata that ``quantity`` attaches to a dataclass field.
+"""
+
+import dataclasses
+import math
+from numbers import Real
+
+from vfcore.errors import ParameterError
+
+PAPER = "Serry, Zañartu & Peterson (2026)"
+
+
+def quantity(
+    default: float,
+    unit: str,
+    label: str,
+    low: float,
+    high: float,
+    *,
+    source: str,
+    help: str = "",
+    symbol: str = "",
+    step: float | None = None,
+):
+    """A float field of a frozen dataclass, valid on the closed interval [low, high]."""
+    return dataclasses.field(
+        default=default,
+        metadata={
+            "unit": unit,
+            "label": label,
+            "low": low,
+            "high": high,
+            "source": source,
+            "help": help,
+            "symbol": symbol,
+            "step": step,
+        },
+    )
+
+
+def choice(default: str | None, label: str, options: tuple[str, ...], *, source: str, help: str = ""):
+    """A string field that takes one of ``options``."""
+    return dataclasses.field(
+        default=default,
+        metadata={"label": label, "options": options, "source": source, "help": help},
+    )
+
+
+def validate(instance, prefix: str = "") -> None:
+    """Check every declared field of a dataclass; raise ParameterError for the first bad one."""
+    for spec in dataclasses.fields(instance):
+        if not spec.metadata:
+            continue
+        path = f"{prefix}{spec.name}"
+        value = getattr(instance, spec.name)
+        if "options" in spec.metadata:
+            options = spec.metadata["options"]
+            if value not in options and not (value is None and spec.default is None):
+                raise ParameterError(path, f"{value!r} is not known", " | ".join(options))
+        else:
+            check_number(path, value, spec.metadata["low"], spec.metadata["high"], spec.metadata["unit"])
+
+
+def check_number(path: str, value, low: float, high: float, unit: str = "", integer: bool = False) -> None:
+    """Raise ParameterError unless ``value`` is a finite number in [low, high]."""
+    unit_text = f" {unit}" if unit and unit != "1" else ""
+    allowed = f"{low:g} to {high:g}{unit_text}"
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise ParameterError(path, f"{value!r} is not a number", allowed)
+    if integer and value != int(value):
+        raise ParameterError(path, f"{value!r} is not a whole number", allowed)
+    if not math.isfinite(value):
+        raise ParameterError(path, f"{value!r} is not finite", allowed)
+    if not low <= value <= high:
+        raise ParameterError(path, f"{value:g} is out of range", allowed)

@@ -1,0 +1,165 @@
+"""Root of the posturing equations, by continuation from rest. Equations: posture_equations.py.
+
+The loads enter linearly, so a Newton step from the last root is the tangent predictor too. First the
+passive loads are raised from zero (where u = 0 is exact) to rest, then all activations together along
+the straight line from rest. A step counts only if Newton converges in few iterations, the posture moves
+little and det J keeps the sign it has without load: another branch is not entered unseen.
+
+Where the path folds (det J = 0) no continuation in the activation goes on: the larynx of the model would
+snap to a distant posture, and which one is a matter of its dynamics. That is a failure here, with the place.
+None of the published sets folds anywhere in [0, 1]^5; overridden constants can.
+
+Newton is quadratic between the kinks of |d_t|, |d_r|, collision, ε_1 and the end of the active stress, where J
+jumps; there a line search keeps the residual falling. One solve takes about 40 evaluations.
+"""
+
+import math
+
+import numpy as np
+
+from vfcore.kernels.jit import jit
+from vfcore.kernels.posture_equations import equilibrium
+
+OK, NO_REST, NO_POSTURE = range(3)  # status
+
+TOLERANCE = 1e-12  # of the load scale of each equation
+NEWTON_LIMIT = 12
+EASY, FEW = 5, 8  # Newton iterations after which the next step may be longer; beyond which a step is refused
+FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.125, 0.25, 1e-6  # of the load
+MOVE = (1e-3, 1e-3, 0.1, 0.1, 0.1)  # m, m, rad, strain, strain: largest move of an accepted step
+
+
+@jit
+def solve_linear(A, b):
+    """Overwrite ``b`` (5,) with A⁻¹ b by elimination with row pivots, spoiling A; return det A (0: no solution)."""
+    determinant = 1.0
+    for k in range(5):
+        p = k
+        for i in range(k + 1, 5):
+            if abs(A[i, k]) > abs(A[p, k]):
+                p = i
+        if A[p, k] == 0.0:
+            return 0.0
+        if p != k:
+            determinant = -determinant
+            for col in range(5):
+                A[k, col], A[p, col] = A[p, col], A[k, col]
+            b[k], b[p] = b[p], b[k]
+        determinant *= A[k, k]
+        for i in range(k + 1, 5):
+            f = A[i, k] / A[k, k]
+            b[i] -= f * b[k]
+            for col in range(k + 1, 5):
+                A[i, col] -= f * A[k, col]
+    for k in range(4, -1, -1):
+        for col in range(k + 1, 5):
+            b[k] -= A[k, col] * b[col]
+        b[k] /= A[k, k]
+    return determinant
+
+
+@jit
+def relative_size(r, scale):
+    """Largest |r_i|/scale_i; inf if any is not finite."""
+    size = 0.0
+    for a in range(5):
+        value = abs(r[a]) / scale[a]
+        if not value < math.inf:
+            return math.inf
+        size = max(size, value)
+    return size
+
+
+@jit
+def newton(u, activation, passive, muscles, joints, scale, work):
+    """Improve ``u`` (5,) in place; return relative residual, iterations and det J there (0: singular or stuck).
+
+    ``work`` (8, 5) is working space. The residual falls in every iteration, or the search stops.
+    """
+    r, trial, trial_r, jac = work[0], work[1], work[2], work[3:8]
+    equilibrium(u, activation, passive, muscles, joints, r, jac)
+    size = relative_size(r, scale)
+    for iteration in range(NEWTON_LIMIT):
+        determinant = solve_linear(jac, r)  # r becomes J⁻¹ r
+        if size <= TOLERANCE or determinant == 0.0:
+            return size, iteration, determinant
+        fraction = 1.0
+        while True:
+            for a in range(5):
+                trial[a] = u[a] - fraction * r[a]
+            equilibrium(trial, activation, passive, muscles, joints, trial_r, jac)
+            trial_size = relative_size(trial_r, scale)
+            if trial_size < (1.0 - 0.1 * fraction) * size:
+                break
+            fraction *= 0.5
+            if fraction < 1e-3:
+                return size, iteration, 0.0
+        size = trial_size
+        for a in range(5):
+            u[a], r[a] = trial[a], trial_r[a]
+    return size, NEWTON_LIMIT, 0.0
+
+
+@jit
+def continue_leg(
+    u, start, target, passive_start, passive_target, muscles, joints, scale, orientation, loads, point, work
+):
+    """Follow the root from one load to another; return the part of the way covered (1: all) and the residual.
+
+    ``start``, ``target``: activations (5,). ``orientation``: sign that det J must keep.
+    ``loads``, ``point`` (5,) and ``work`` (8, 5): working space.
+    """
+    done, step, residual = 0.0, FIRST_STEP, 0.0
+    while done < 1.0:
+        following = min(1.0, done + step)
+        for a in range(5):
+            loads[a] = start[a] + following * (target[a] - start[a])
+            point[a] = u[a]
+        passive = passive_start + following * (passive_target - passive_start)
+        size, iterations, determinant = newton(point, loads, passive, muscles, joints, scale, work)
+        move = 0.0
+        for a in range(5):
+            move = max(move, abs(point[a] - u[a]) / MOVE[a])
+        if size <= TOLERANCE and iterations <= FEW and determinant * orientation > 0.0 and move <= 1.0:
+            done, residual = following, size
+            for a in range(5):
+                u[a] = point[a]
+            if iterations <= EASY:
+                step = min(LONGEST_STEP, 2.0 * step)
+        else:
+            step *= 0.5
+            if step < SHORTEST_STEP:
+                break
+    return done, residual
+
+
+@jit
+def solve_postures(activations, muscles, joints, scale, roots, outcomes, status):
+    """Solve every row of ``activations`` (n, 5), order TA, CT, LCA, IA, PCA, each from rest anew.
+
+    Out: ``roots`` (n, 5); ``outcomes`` (n, 4): fold strain, ξ_02 (m, signed), relative residual, part of
+    the way covered; ``status`` (n,). Where status is not OK the root is the last one reached.
+    """
+    relaxed, loads, point = np.zeros(5), np.empty(5), np.empty(5)
+    work = np.empty((8, 5))
+    for n in range(activations.shape[0]):
+        u = roots[n]
+        for a in range(5):
+            u[a] = 0.0
+        equilibrium(u, relaxed, 0.0, muscles, joints, work[0], work[3:8])
+        orientation = math.copysign(1.0, solve_linear(work[3:8], work[0]))
+        status[n] = OK
+        done, residual = continue_leg(
+            u, relaxed, relaxed, 0.0, 1.0, muscles, joints, scale, orientation, loads, point, work
+        )
+        if done < 1.0:
+            status[n] = NO_REST
+        else:
+            done, residual = continue_leg(
+                u, relaxed, activations[n], 1.0, 1.0, muscles, joints, scale, orientation, loads, point, work
+            )
+            if done < 1.0:
+                status[n] = NO_POSTURE
+        xi_02, strain = equilibrium(u, activations[n], 1.0, muscles, joints, work[0], work[3:8])
+        outcomes[n, 0], outcomes[n, 1] = strain, xi_02
+        outcomes[n, 2], outcomes[n, 3] = relative_size(work[0], scale), done

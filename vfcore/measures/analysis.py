@@ -1,0 +1,39 @@
+"""What all measures of one run share, each part worked out once and only when a measure asks for it."""
+
+from functools import cached_property
+
+import numpy as np
+
+from vfcore.measures.cycles import Cycles, cut_cycles
+from vfcore.measures.flow import flow_slope
+from vfcore.measures.glottis import OpenPhases, open_phases
+from vfcore.measures.phonation import Phonation, judge_phonation
+from vfcore.measures.signals import Signals
+
+
+class Analysis:
+    """Signals of one run, the window, the phonation state and the cycles found in it."""
+
+    def __init__(self, signals: Signals):
+        self.signals = signals
+
+    def window(self, wave: np.ndarray) -> np.ndarray:
+        """The measured half of ``wave``, float64."""
+        return wave[self.signals.window_start :].astype(np.float64)
+
+    @cached_property
+    def phonation(self) -> Phonation:
+        return judge_phonation(self.window(self.signals.glottal_area_m2), self.signals.sample_rate_hz)
+
+    @cached_property
+    def cycles(self) -> Cycles | None:
+        return cut_cycles(self.signals.glottal_area_m2, self.signals.window_start, self.phonation)
+
+    @cached_property
+    def open_phases(self) -> OpenPhases:
+        return open_phases(self.signals.glottal_area_m2, self.cycles)
+
+    @cached_property
+    def flow_slope_m3_s2(self) -> np.ndarray:
+        """Low-passed dQ/dt over the span of the cycles, m³/s²."""
+        return flow_slope(self.signals.glottal_flow_m3_s, self.signals.sample_rate_hz, self.cycles)

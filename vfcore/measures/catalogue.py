@@ -1,0 +1,85 @@
+"""The catalogue of measures, and the one call that measures a run with all of them."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+
+from vfcore.measures.analysis import Analysis
+from vfcore.measures.measure import Measure
+from vfcore.measures.rows import ROWS
+from vfcore.measures.signals import Signals
+from vfcore.measures.spec import MeasureSpec
+
+
+class Catalogue:
+    """The measures in the order of display, addressed by key."""
+
+    def __init__(self, rows: tuple[MeasureSpec, ...]):
+        self._by_key = {row.key: row for row in rows}
+        if len(self._by_key) != len(rows):
+            raise ValueError("two rows of the catalogue have the same key")
+
+    def __iter__(self) -> Iterator[MeasureSpec]:
+        return iter(self._by_key.values())
+
+    def __len__(self) -> int:
+        return len(self._by_key)
+
+    def __getitem__(self, key: str) -> MeasureSpec:
+        return self._by_key[key]
+
+    def keys(self) -> tuple[str, ...]:
+        return tuple(self._by_key)
+
+    def as_rows(self) -> list[dict]:
+        """The catalogue as plain values for JSON, tables and docs."""
+        return [_plain(spec) for spec in self]
+
+
+@dataclass(frozen=True, slots=True)
+class MeasureReport:
+    """What was measured on one run.
+
+    ``state``: none | periodic | subharmonic | irregular, with the sentence ``explanation``.
+    ``periodicity``: normalised autocorrelation peak, None without phonation. ``measures``: by key, every row of the
+    catalogue. ``cycles``: how many cycles were averaged. ``cycle_bounds``: samples [start, stop) of one representative
+    repeating pattern in the full waves, None where no cycle can be followed.
+    """
+
+    state: str
+    explanation: str
+    periodicity: float | None
+    measures: dict[str, Measure]
+    cycles: int
+    cycle_bounds: tuple[int, int] | None
+
+
+CATALOGUE = Catalogue(ROWS)
+
+
+def measure_all(signals: Signals) -> MeasureReport:
+    """Every measure of the catalogue on the last half of ``signals``; the phonation state comes first."""
+    analysis = Analysis(signals)
+    cycles = analysis.cycles
+    return MeasureReport(
+        state=analysis.phonation.state,
+        explanation=analysis.phonation.explanation,
+        periodicity=analysis.phonation.periodicity,
+        measures={spec.key: spec.measure(analysis) for spec in CATALOGUE},
+        cycles=cycles.count if cycles else 0,
+        cycle_bounds=cycles.representative if cycles else None,
+    )
+
+
+def _plain(spec: MeasureSpec) -> dict:
+    row = {field.name: getattr(spec, field.name) for field in fields(spec) if field.name not in _NOT_PLAIN}
+    normal = spec.normal_range
+    row["needs"] = spec.needs.value
+    row["normal_range"] = (
+        None
+        if normal is None
+        else {"low": normal.low, "high": normal.high, "who": normal.who, "source": normal.source}
+    )
+    return row
+
+
+_NOT_PLAIN = ("compute", "needs", "normal_range")

@@ -1,0 +1,50 @@
+"""Contact between the folds: pressure, place, impulse, area and duration.
+
+A cycle without contact has contact pressure, impulse, area and quotient 0; that is a finding, not a missing value.
+Only the place of the contact is then missing.
+"""
+
+import numpy as np
+
+from vfcore.measures.cycles import Cycles
+from vfcore.measures.measure import Missing
+
+# Criterion level of electroglottography, as a fraction of the cycle's largest contact area (Orlikoff 1991).
+CONTACT_FRACTION = 0.25
+
+
+def pressure_max_pa(pressure_pa: np.ndarray, cycles: Cycles) -> float:
+    """Mean over cycles of the largest contact pressure over x, y and t, Pa."""
+    return float(cycles.largest(pressure_pa).mean())
+
+
+def location(pressure_pa: np.ndarray, location_x_over_l: np.ndarray, cycles: Cycles) -> float | Missing:
+    """Mean over cycles, those with contact, of x/L of the largest contact pressure."""
+    places = location_x_over_l[cycles.where_largest(pressure_pa)].astype(np.float64)
+    places = places[(cycles.largest(pressure_pa) > 0.0) & np.isfinite(places)]
+    return float(places.mean()) if len(places) else Missing("The folds never touch, so the contact has no place.")
+
+
+def impulse_pa_s(pressure_pa: np.ndarray, cycles: Cycles, sample_rate_hz: float) -> float:
+    """Mean over cycles of the time integral of the positive part of the largest contact pressure, Pa·s."""
+    return float(cycles.total(np.maximum(cycles.span(pressure_pa), 0.0)).mean() / sample_rate_hz)
+
+
+def area_mm2(contact_area_m2: np.ndarray, cycles: Cycles) -> float:
+    """Mean over cycles of the largest contact area, mm²."""
+    return float(cycles.largest(contact_area_m2).mean() * 1e6)
+
+
+def area_fraction(contact_area_m2: np.ndarray, cycles: Cycles, medial_area_m2: float) -> float:
+    """Mean over cycles of the largest share of the medial surface in contact."""
+    return float(cycles.largest(contact_area_m2).mean() / medial_area_m2)
+
+
+def contact_quotient(contact_area_m2: np.ndarray, cycles: Cycles) -> float:
+    """Mean fraction of the cycle with contact area above a quarter of the cycle's largest.
+
+    Crossings are not interpolated: the contact area of a grid moves in steps of one node.
+    """
+    level = CONTACT_FRACTION * cycles.largest(contact_area_m2)
+    above = cycles.span(contact_area_m2) > level[cycles.index]
+    return float((cycles.total(above.astype(np.float64)) / cycles.lengths).mean())

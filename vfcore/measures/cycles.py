@@ -1,0 +1,151 @@
+"""Where cycles begin, and what each of them holds: vectorised over cycles, no loop over samples.
+
+A cycle is cut while the glottis is closed, in the middle of the longest closed time, or at the smallest area where it
+never closes. A repeating wave is cut on an even grid of its period; an irregular one at the minima of its slow part.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.signal import find_peaks
+
+from vfcore.measures.phonation import Phonation
+from vfcore.measures.pitch import parabola_vertex
+
+# "Closed" means below this fraction of the cycle's peak area: closed in the plain sense, with room for rounding.
+CLOSED_FRACTION = 1e-3
+# Fewer cycles than this are no basis for an average.
+MIN_CYCLES = 3
+
+
+@dataclass(frozen=True)
+class Cycles:
+    """N consecutive whole cycles.
+
+    ``marks``: shape (N + 1,), sub-sample positions of the cuts, in samples of the full wave.
+    ``bounds``: shape (N + 1,), the same as whole samples; cycle k is ``[bounds[k], bounds[k+1])``.
+    ``per_pattern``: cycles in one repeating pattern; N is a multiple of it.
+    """
+
+    marks: np.ndarray
+    bounds: np.ndarray
+    per_pattern: int = 1
+
+    @property
+    def count(self) -> int:
+        return len(self.bounds) - 1
+
+    @property
+    def periods(self) -> np.ndarray:
+        """Length of each cycle in samples, sub-sample; shape (N,)."""
+        return np.diff(self.marks)
+
+    @cached_property
+    def lengths(self) -> np.ndarray:
+        """Whole samples in each cycle; shape (N,)."""
+        return np.diff(self.bounds)
+
+    @cached_property
+    def index(self) -> np.ndarray:
+        """Number of the cycle each sample of ``span(wave)`` belongs to."""
+        return np.repeat(np.arange(self.count), self.lengths)
+
+    def span(self, wave: np.ndarray) -> np.ndarray:
+        """The samples of ``wave`` (full length) within these cycles, float64."""
+        return wave[self.bounds[0] : self.bounds[-1]].astype(np.float64)
+
+    @property
+    def offsets(self) -> np.ndarray:
+        return self.bounds[:-1] - self.bounds[0]
+
+    def largest(self, wave: np.ndarray) -> np.ndarray:
+        """Largest value in each cycle; shape (N,)."""
+        return np.maximum.reduceat(self.span(wave), self.offsets)
+
+    def smallest(self, wave: np.ndarray) -> np.ndarray:
+        """Smallest value in each cycle; shape (N,)."""
+        return np.minimum.reduceat(self.span(wave), self.offsets)
+
+    def total(self, span: np.ndarray) -> np.ndarray:
+        """Sum over each cycle of values given for the span; shape (N,)."""
+        return np.add.reduceat(span, self.offsets)
+
+    def where_largest(self, wave: np.ndarray) -> np.ndarray:
+        """Sample of the full wave at which each cycle first reaches its largest value; shape (N,)."""
+        span = self.span(wave)
+        hits = np.flatnonzero(span == np.maximum.reduceat(span, self.offsets)[self.index])
+        _, first = np.unique(self.index[hits], return_index=True)
+        return hits[first] + self.bounds[0]
+
+    @property
+    def representative(self) -> tuple[int, int]:
+        """Sample bounds of one whole pattern to show: the latest of those nearest the median length."""
+        edges = self.bounds[:: self.per_pattern]
+        lengths = np.diff(edges)
+        away = np.abs(lengths - np.median(lengths))
+        k = len(away) - 1 - int(np.argmin(away[::-1]))
+        return int(edges[k]), int(edges[k + 1])
+
+
+def refined_extremum(wave: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Sub-sample positions of the extrema of ``wave`` at the samples ``at`` (parabola through three samples)."""
+    at = np.clip(at, 1, len(wave) - 2)
+    offset, _ = parabola_vertex(*(wave[at + k].astype(np.float64) for k in (-1, 0, 1)))
+    return at + offset
+
+
+def lowest_near(wave: np.ndarray, positions: np.ndarray, reach: float) -> np.ndarray:
+    """Sample of the smallest value within ``reach`` samples of each position (the first, if several)."""
+    around = np.rint(positions).astype(int)[:, None] + np.arange(-int(reach), int(reach) + 1)
+    around = np.clip(around, 0, len(wave) - 1)
+    return around[np.arange(len(positions)), wave[around].argmin(axis=1)]
+
+
+def cut_cycles(area_m2: np.ndarray, start: int, phonation: Phonation) -> Cycles | None:
+    """The whole cycles of ``area_m2`` (full wave) from sample ``start`` on; None if too few can be followed."""
+    if phonation.cycle is None:
+        return None
+    area = np.asarray(area_m2[start:], dtype=np.float64)
+    marks = _even_marks(area, phonation.pattern) if phonation.state == "periodic" else _followed_marks(area, phonation)
+    whole = (len(marks) - 1) // phonation.cycles_per_pattern * phonation.cycles_per_pattern
+    if whole < MIN_CYCLES:
+        return None
+    marks = marks[len(marks) - 1 - whole :]
+    if phonation.state == "periodic":
+        bounds = np.rint(marks).astype(int)
+    else:
+        # Followed cycles are at least 0.6 cycle apart, so a reach of a quarter keeps the cuts in order.
+        bounds = lowest_near(area, marks, phonation.cycle / 4)
+    return Cycles(marks + start, bounds + start, phonation.cycles_per_pattern)
+
+
+def _even_marks(area: np.ndarray, period: float) -> np.ndarray:
+    """Cuts one period apart, placed by one cycle from the middle of the window."""
+    length = int(np.ceil(period))
+    first = (len(area) - length) // 2
+    one = area[first : first + length]
+    closed = one < CLOSED_FRACTION * one.max()
+    origin = first + (_middle_of_longest_run(closed) if closed.any() else float(one.argmin()))
+    return np.arange(origin % period, len(area) - 1, period)
+
+
+def _middle_of_longest_run(flags: np.ndarray) -> float:
+    """Middle of the longest run of True, the array taken as one turn of a circle."""
+    n = len(flags)
+    if flags.all():
+        return 0.5 * n
+    turned = np.roll(flags, -int(np.argmin(flags)))
+    steps = np.diff(np.concatenate(([False], turned, [False])).astype(np.int8))
+    begins, ends = np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)
+    k = int(np.argmax(ends - begins))
+    return (0.5 * (begins[k] + ends[k] - 1) + int(np.argmin(flags))) % n
+
+
+def _followed_marks(area: np.ndarray, phonation: Phonation) -> np.ndarray:
+    """Minima of the slow part of the area, away from the ends of the window, where the filter sees too little."""
+    slow = phonation.correlation.slow_part(1.0 / phonation.cycle)
+    minima, _ = find_peaks(-slow, distance=max(int(0.6 * phonation.cycle), 1))
+    margin = phonation.cycle / 2
+    minima = minima[(minima > margin) & (minima < len(area) - 1 - margin)]
+    return refined_extremum(slow, minima)

@@ -1,0 +1,79 @@
+"""The waveforms a run hands over to be measured; nothing here knows the solver."""
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from vfcore.errors import ParameterError
+
+WAVES = (
+    "time_s",
+    "glottal_area_m2",
+    "glottal_flow_m3_s",
+    "lip_pressure_pa",
+    "far_pressure_pa",
+    "contact_pressure_max_pa",
+    "contact_location",
+    "contact_area_m2",
+)
+MAY_BE_NAN = ("contact_location",)
+MIN_SAMPLES = 16
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Signals:
+    """Waveforms of one run, uniformly sampled, and the scalars that belong to them.
+
+    Every wave has shape ``(n,)`` and may be float32 or float64; they are not copied. The measures use the
+    last half of the run, ``[n // 2, n)``, so that the onset transient is left out.
+
+    - ``glottal_area_m2``: minimum glottal area A_g,min(t), m².
+    - ``glottal_flow_m3_s``: glottal flow rate Q_g(t), m³/s.
+    - ``lip_pressure_pa``: radiated pressure at the lips, Pa.
+    - ``far_pressure_pa``: free-field pressure at ``far_distance_m`` from the mouth, taken as a simple source, Pa.
+    - ``contact_pressure_max_pa``: largest contact pressure over the medial surface at each time, Pa; 0 without contact.
+    - ``contact_location``: x/L of that largest pressure, 0 anterior, 1 posterior; NaN without contact.
+    - ``contact_area_m2``: area of the medial surface in contact, m².
+    - ``gap_m``: full distance between the two vocal processes (both folds), m.
+    - ``medial_area_m2``: area of one medial surface, L·b, m².
+
+    Raises ParameterError for waves of unequal length or with values that are not finite.
+    """
+
+    sample_rate_hz: float
+    time_s: np.ndarray
+    glottal_area_m2: np.ndarray
+    glottal_flow_m3_s: np.ndarray
+    lip_pressure_pa: np.ndarray
+    far_pressure_pa: np.ndarray
+    contact_pressure_max_pa: np.ndarray
+    contact_location: np.ndarray
+    contact_area_m2: np.ndarray
+    subglottal_pressure_pa: float
+    length_m: float
+    strain: float
+    glottal_half_angle_rad: float
+    gap_m: float
+    medial_area_m2: float
+    far_distance_m: float = 0.3
+    air_density_kg_m3: float = 1.14
+    sound_speed_m_s: float = 350.0
+
+    def __post_init__(self):
+        n = len(self.time_s)
+        if n < MIN_SAMPLES:
+            raise ParameterError("signals.time_s", f"{n} samples are too few to measure", f"at least {MIN_SAMPLES}")
+        for field in fields(self):
+            value = np.asarray(getattr(self, field.name))
+            path = f"signals.{field.name}"
+            if field.name in WAVES and value.shape != (n,):
+                raise ParameterError(path, f"has shape {value.shape}", f"({n},), that of time_s")
+            if field.name not in MAY_BE_NAN and not np.isfinite(value).all():
+                raise ParameterError(path, "is not finite everywhere", "finite numbers")
+        if self.sample_rate_hz <= 0:
+            raise ParameterError("signals.sample_rate_hz", f"{self.sample_rate_hz:g} is not positive", "above 0 Hz")
+
+    @property
+    def window_start(self) -> int:
+        """First sample of the last half of the run, the part that is measured."""
+        return len(self.time_s) // 2

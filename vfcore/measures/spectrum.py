@@ -1,0 +1,68 @@
+"""Measures of the spectrum: first two harmonics, and the cepstral peak.
+
+Cepstral peak prominence after Hillenbrand, Cleveland & Erickson (1994): the power spectrum in dB of each 51.2 ms
+Hamming-windowed frame, up to 10 kHz (1024 points at 20 kHz in the original), is itself transformed; the magnitude of
+that cepstrum, in dB, has a peak at the quefrency 1/f_o. CPP is its height above the straight line fitted to the
+cepstrum from 1 ms to the end, averaged over frames.
+"""
+
+from math import log10
+
+import numpy as np
+from scipy import fft
+
+from vfcore.measures.measure import Missing
+
+CPP_FRAME_S = 0.0512
+CPP_HOP_S = 0.0256
+CPP_BAND_HZ = 10_000.0
+CPP_LINE_FROM_S = 1e-3
+CPP_LOWEST_HZ = 60.0
+CPP_HIGHEST_HZ = 500.0
+# Spectral lines weaker than this, relative to the frame's strongest, are rounding errors of single precision.
+CPP_FLOOR_DB = -140.0
+
+
+def h1_h2_db(wave: np.ndarray, fo_hz: float, sample_rate_hz: float) -> float | Missing:
+    """Level of the first harmonic above the second, dB, of ``wave``, shape (n,), as it is (no formant correction).
+
+    Hann window; each harmonic is read at its exact frequency.
+    """
+    n = len(wave)
+    weighted = (wave - wave.mean()) * np.hanning(n)
+    first = np.exp(-2j * np.pi * fo_hz / sample_rate_hz * np.arange(n))
+    h1, h2 = abs(np.dot(weighted, first)), abs(np.dot(weighted, first * first))
+    if h1 == 0.0 or h2 == 0.0:
+        return Missing("One of the first two harmonics is absent.")
+    return 20.0 * log10(h1 / h2)
+
+
+def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> float | Missing:
+    """CPP of ``wave``, shape (n,), dB."""
+    length, hop = round(CPP_FRAME_S * sample_rate_hz), round(CPP_HOP_S * sample_rate_hz)
+    if len(wave) < length:
+        return Missing(f"The measured half of the run is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
+    frames = np.lib.stride_tricks.sliding_window_view(wave, length)[::hop]
+    spectrum = fft.rfft((frames - frames.mean(axis=1, keepdims=True)) * np.hamming(length), axis=1)
+    lines = min(int(CPP_BAND_HZ * length / sample_rate_hz) + 1, spectrum.shape[1])
+    power = spectrum.real[:, :lines] ** 2 + spectrum.imag[:, :lines] ** 2
+    strongest = power.max(axis=1, keepdims=True)
+    if strongest.min() == 0.0:
+        return Missing("There is no sound in part of the measured half of the run.")
+    level = 10.0 * np.log10(np.maximum(power / strongest, 10.0 ** (CPP_FLOOR_DB / 10.0)))
+    cepstrum = 20.0 * np.log10(np.abs(fft.irfft(level, 2 * (lines - 1), axis=1)[:, :lines]) + np.finfo(float).tiny)
+    quefrency = np.arange(lines) * (length / sample_rate_hz) / (2 * (lines - 1))
+    return float(_above_line(cepstrum, quefrency).mean())
+
+
+def _above_line(cepstrum: np.ndarray, quefrency: np.ndarray) -> np.ndarray:
+    """Height of each frame's peak, sought among voice rates, above the line fitted to that frame."""
+    fitted = quefrency >= CPP_LINE_FROM_S
+    x = quefrency[fitted] - quefrency[fitted].mean()
+    y = cepstrum[:, fitted]
+    mean = y.mean(axis=1)
+    slope = y @ x / (x @ x)
+    sought = np.flatnonzero((quefrency >= 1.0 / CPP_HIGHEST_HZ) & (quefrency <= 1.0 / CPP_LOWEST_HZ))
+    peak = sought[cepstrum[:, sought].argmax(axis=1)]
+    line = mean + slope * (quefrency[peak] - quefrency[fitted].mean())
+    return cepstrum[np.arange(len(peak)), peak] - line

@@ -1,0 +1,84 @@
+"""Muscle activation -> fold strain and glottal half-angle: the statics of the larynx.
+
+The steady state of Titze & Hunter (2007) as used by Alzamendi et al. (2022); equations, signs and the
+collision law stand in vfcore/kernels/posture_equations.py, the path from rest in vfcore/kernels/posture.py.
+The answer depends on activation and constants alone: every solve starts from the unloaded joints.
+"""
+
+import numpy as np
+
+from vfcore.errors import ParameterError, PostureError
+from vfcore.fields import check_number
+from vfcore.kernels.posture import OK, solve_postures
+from vfcore.params import Activation
+from vfcore.posture.packing import MUSCLE_ORDER, load_scale, pack
+from vfcore.posture.solution import PostureBatch, PostureSolution
+from vfcore.posture.tables import PosturingConstants, posture_set
+
+CONVERGED_BELOW = 1e-9  # of the load scale
+
+
+def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBatch:
+    """Postures for an array of activations (n, 5), columns TA, CT, LCA, IA, PCA, each in [0, 1].
+
+    Rows are independent of each other. A row without a root holds NaN; no error is raised for it.
+    Raises ParameterError for an array of another shape or a value outside [0, 1].
+    """
+    activations = np.ascontiguousarray(activations, dtype=np.float64)
+    if activations.ndim != 2 or activations.shape[1] != 5:
+        raise ParameterError("activations", f"shape {activations.shape}", "(n, 5): ta, ct, lca, ia, pca")
+    if not ((activations >= 0) & (activations <= 1)).all():
+        raise ParameterError("activations", "a value is out of range or not finite", "0 to 1")
+    n = len(activations)
+    muscles, joints = pack(constants)
+    unknowns, outcomes, status = np.empty((n, 5)), np.empty((n, 4)), np.empty(n, dtype=np.int64)
+    solve_postures(activations, muscles, joints, load_scale(muscles, joints), unknowns, outcomes, status)
+    strain, xi_02, residual, reached = outcomes.T
+    converged = (status == OK) & (residual < CONVERGED_BELOW) & (strain > -1)
+    strain, xi_02 = np.where(converged, strain, np.nan), np.where(converged, xi_02, np.nan)
+    raw = np.arctan(xi_02 / (constants.L_0_posture_m * (1 + strain)))
+    return PostureBatch(
+        strain=strain,
+        glottal_half_angle_rad=np.maximum(raw, 0),
+        raw_glottal_half_angle_rad=raw,
+        half_gap_m=np.maximum(xi_02, 0),
+        unknowns=np.where(converged[:, None], unknowns, np.nan),
+        residual=residual,
+        converged=converged,
+        reached=reached,
+    )
+
+
+def solve_posture(
+    activation: Activation, constants: PosturingConstants, fold_length_m: float = 0.015
+) -> PostureSolution:
+    """Posture for one activation; ``fold_length_m`` is the resting length of the vibrating fold (the paper's 15 mm).
+
+    Raises PostureError where no root is connected to rest, ParameterError for a fold length out of range.
+    """
+    check_number("fold_length_m", fold_length_m, 1e-3, 0.1, "m")
+    batch = solve_posture_batch([[getattr(activation, key) for key in MUSCLE_ORDER]], constants)
+    if not batch.converged[0]:
+        raise PostureError(_no_posture(activation, constants, batch.reached[0]))
+    strain, angle, raw, half_gap = (float(column[0]) for column in batch[:4])
+    return PostureSolution(
+        strain,
+        angle,
+        raw,
+        fold_length_m * (1 + strain),
+        half_gap,
+        *batch.unknowns[0].tolist(),
+        residual=float(batch.residual[0]),
+        converged=True,
+    )
+
+
+def _no_posture(activation: Activation, constants: PosturingConstants, reached: float) -> str:
+    """The sentence for a posture that was not reached."""
+    muscles = ", ".join(f"{key.upper()} {getattr(activation, key):g}" for key in MUSCLE_ORDER)
+    changed = " with overridden constants" if constants != posture_set(constants.set_name) else ""
+    return (
+        f"no posture for {muscles} with the posturing set {constants.set_name}{changed}: the equilibrium followed "
+        f"from rest was lost at {reached:.1%} of this activation. Lower the activation, in particular of the "
+        f"strongest muscle, or take back constants that weaken a joint."
+    )

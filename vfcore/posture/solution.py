@@ -1,0 +1,46 @@
+"""What the posturing statics answer: one posture, or arrays of many."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+
+@dataclass(frozen=True, slots=True)
+class PostureSolution:
+    """One posture of one fold, SI.
+
+    strain: nominal fold strain ε̄. length_m: fold length L_0 (1 + ε̄) with the vibrating fold's L_0.
+    glottal_half_angle_rad: atan(ξ_02/(L_0 (1 + ε̄))) with the posturing L_0, clipped at 0 (θ_g);
+    raw_glottal_half_angle_rad: the same before clipping; the collision spring yields a little, so it is
+    slightly negative at full adduction. half_gap_m: distance of the vocal process from the medial plane,
+    ξ_02 clipped at 0: half the gap between the processes. xi_m, psi_m, theta_a_rad: lateral and anterior translation
+    and inward rotation of the arytenoid. epsilon_t, epsilon_r: strain by cricothyroid translation, rotation.
+    residual: largest of the five residuals over its ``load_scale``. converged: residual below 1e-9.
+    """
+
+    strain: float
+    glottal_half_angle_rad: float
+    raw_glottal_half_angle_rad: float
+    length_m: float
+    half_gap_m: float
+    xi_m: float
+    psi_m: float
+    theta_a_rad: float
+    epsilon_t: float
+    epsilon_r: float
+    residual: float
+    converged: bool
+
+
+class PostureBatch(NamedTuple):
+    """Arrays over n activations; rows that did not converge hold NaN and the part of the way covered in ``reached``."""
+
+    strain: np.ndarray  # (n,)
+    glottal_half_angle_rad: np.ndarray  # (n,), clipped at 0
+    raw_glottal_half_angle_rad: np.ndarray  # (n,)
+    half_gap_m: np.ndarray  # (n,), clipped at 0
+    unknowns: np.ndarray  # (n, 5): ξ m, ψ m, θ_a rad, ε_t, ε_r
+    residual: np.ndarray  # (n,), of the load scale
+    converged: np.ndarray  # (n,) bool
+    reached: np.ndarray  # (n,), 0 rest to 1 the activation asked for

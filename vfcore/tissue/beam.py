@@ -1,0 +1,47 @@
+"""The composite beam on nx nodes: tension, bending and both end moments as one matrix.
+
+    ρ_l ẅ_b = Ñ_b ∂_xx w_b − μ̃_c ∂_xxxx w_b + …,   w_b(0) = w_b(L) = 0          [eq. BeamEqn]
+
+    x = 0:  μ̃_c w_b'' + M̄_c = −K_r,a (θ_G − λ^{3/2} w_b' − θ_0)                [eq. AnteriorMomentBC]
+    x = L:  μ̃_c w_b'' + M̄_c = −K_r,p λ^{3/2} w_b'                              [eq. PosteriorMomentBeamBC]
+
+One ghost node beyond each end, with the central slope and curvature there, turns a moment
+condition into ghost = gain · (first inner node) + offset. The gain enters the matrix, the
+offset is a constant load. Second order in dx.
+"""
+
+import numpy as np
+
+from vfcore.constants import FoldConstants
+from vfcore.tissue.coefficients import Coefficients
+
+
+def beam_operator(
+    nx: int, c: Coefficients, constants: FoldConstants, theta_g: float, theta_0: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Force per length on the inner nodes: ``matrix @ w_b + load``, N/m.
+
+    ``matrix`` (nx−2, nx−2), N/m²; ``load`` (nx−2,), N/m. ``theta_g`` is the clipped half-angle.
+    """
+    n = nx - 2
+    dx = c.length_m / (nx - 1)
+    mu, turn = c.bending_stiffness_n_m2, c.stretch_ratio**1.5
+    anterior = constants.K_r_a_n_m * turn / (2 * dx)
+    posterior = constants.K_r_p_n_m * turn / (2 * dx)
+    bend = mu / dx**2
+    gain_0 = -(bend - anterior) / (bend + anterior)
+    offset_0 = (-constants.K_r_a_n_m * (theta_g - theta_0) - c.prestress_moment_n_m) / (bend + anterior)
+    gain_L = -(bend - posterior) / (bend + posterior)
+    offset_L = -c.prestress_moment_n_m / (bend + posterior)
+
+    def banded(stencil):
+        return sum(value * np.eye(n, k=k) for k, value in stencil.items())
+
+    fourth = banded({-2: 1.0, -1: -4.0, 0: 6.0, 1: -4.0, 2: 1.0})
+    fourth[0, 0] += gain_0
+    fourth[-1, -1] += gain_L
+    matrix = c.beam_tension_n / dx**2 * banded({-1: 1.0, 0: -2.0, 1: 1.0}) - mu / dx**4 * fourth
+    load = np.zeros(n)
+    load[0] = -mu / dx**4 * offset_0
+    load[-1] += -mu / dx**4 * offset_L
+    return matrix, load

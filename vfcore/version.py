@@ -1,0 +1,12 @@
+"""Two versions: of the code, and of the numbers it produces."""
+
+from importlib.metadata import PackageNotFoundError, version
+
+try:
+    CODE_VERSION = version("vocalis")
+except PackageNotFoundError:  # running from a source tree that was never installed
+    CODE_VERSION = "0+source"
+
+#: Bumped by hand whenever any stored result would change. The golden tests fail when
+#: results change and this does not. Stored results are keyed by it.
+MODEL_VERSION = "1"
