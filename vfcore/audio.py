@@ -54,7 +54,10 @@ def render(pressure_pa: np.ndarray, sample_rate_hz: float, rate_hz: float = AUDI
     if exact:
         return _band_limited(pressure, ratio.numerator, ratio.denominator, float(min(1, ratio)))
     fast = SPLINE_RATE_HZ * max(1, rate_hz / AUDIO_RATE_HZ)
-    up, down = max(1, math.ceil(fast / sample_rate_hz)), max(1, math.floor(sample_rate_hz / fast))
+    if sample_rate_hz < fast:
+        up, down = math.ceil(fast / sample_rate_hz), 1
+    else:  # an odd divisor: 2/2 would be taken for 1/1, which filters nothing
+        up, down = 2, (math.floor(2 * sample_rate_hz / fast) - 1) | 1
     dense = _band_limited(pressure, up, down, min(1.0, rate_hz / sample_rate_hz))
     count = math.ceil(pressure.size * rate_hz / sample_rate_hz)
     instants = np.arange(count) * (sample_rate_hz * up / down / rate_hz)

@@ -5,14 +5,16 @@ once per tract. With h_j its response to a unit flow at step 0 and τ = δ/c, a 
 
     y(t) = Σ_j h_j Q_g(t − jτ).
 
-A run's flow q_k comes at its own step T and is taken as linear between samples, with hat(s) = max(0, 1 − |s|):
+A run's flow q_k comes at its own step T and is read between its samples by cubic convolution (Keys 1981: the
+piecewise cubic through the samples whose slope at each is that of the chord between its neighbours):
 
-    Q_g(t) = Σ_k q_k hat(t/T − k)    ⇒    y(mT) = Σ_k g_{m−k} q_k,    g_l = Σ_j h_j hat(l − jτ/T).
+    Q_g(t) = Σ_k q_k κ(t/T − k)    ⇒    y(mT) = Σ_k g_{m−k} q_k,    g_l = Σ_j h_j κ(l − jτ/T).
 
-So each h_j is shared between the two samples around jτ/T, and one formula serves every step: T = 4τ (folding four
+So each h_j is shared among the four samples around jτ/T, and one formula serves every step: T = 4τ (folding four
 phases into one), T = τ (h itself), T = τ/4 (four interleaved tubes) and anything else. It equals stepping the tube
-with the interpolated flow. Straight lines cost treble, sinc²(fT): at 35 kHz −0.2 dB at 3 kHz, −0.6 dB at 5 kHz,
-−1.5 dB at 8 kHz. The flow is 0 before its first sample: a run that starts with flow starts with a jump.
+with the interpolated flow. At 35 kHz a voice pulse comes out within 0.1 dB up to 8 kHz of the same pulse at the
+paper's step (straight lines instead of cubics would lose 0.7 dB). The kernel looks one sample ahead, which the
+sound's travel to the lips hides. The flow is 0 before its first sample: a run that starts with flow starts with a jump.
 
 The far pressure is that of a simple source in free field, p = ρ/(4πr) dU/dt (Morse & Ingard 1968), without the
 travel time from the lips; dU/dt by the fourth-order central difference at τ (at 8 kHz within 0.1 %).
@@ -69,6 +71,14 @@ def impulse_response(tract: Tract) -> LipOutput:
     return response
 
 
+def _cubic(distance: np.ndarray) -> np.ndarray:
+    """Keys' cubic convolution kernel κ, a = −1/2, at a distance in samples."""
+    s = np.abs(distance)
+    near = (1.5 * s - 2.5) * s * s + 1
+    far = ((-0.5 * s + 2.5) * s - 4) * s + 2
+    return np.where(s < 1, near, np.where(s < 2, far, 0.0))
+
+
 @lru_cache(maxsize=16)
 def _response_at(tract: Tract, time_step_s: float) -> np.ndarray:
     """g for lip pressure, mouth flow and far pressure, shape (3, taps)."""
@@ -78,11 +88,13 @@ def _response_at(tract: Tract, time_step_s: float) -> np.ndarray:
     place = np.arange(lip_pressure.size) * (tract.section_travel_s / time_step_s)
     before = np.floor(place).astype(np.int64)
     share = place - before
-    folded = [
-        np.bincount(before, response * (1 - share), before[-1] + 2) + np.bincount(before + 1, response * share)
-        for response in (lip_pressure, mouth_flow, far_pressure)
-    ]
-    return np.array(folded)
+    taps = before[-1] + 4
+    folded = np.zeros((3, taps))
+    for neighbour in (-1, 0, 1, 2):
+        weight = _cubic(neighbour - share)
+        for row, response in zip(folded, (lip_pressure, mouth_flow, far_pressure), strict=True):
+            row += np.bincount(before + neighbour + 1, response * weight, taps)
+    return folded[:, 1:]  # sample −1 is empty: nothing reaches the lips within the first step
 
 
 @lru_cache(maxsize=16)
@@ -94,9 +106,11 @@ def _spectra_at(tract: Tract, time_step_s: float, length: int) -> np.ndarray:
 def radiate(flow_m3_s: np.ndarray, time_step_s: float, tract: Tract) -> Radiated:
     """Sound of a glottal flow, shape (n,) at ``time_step_s``, at the same times as the flow.
 
-    ParameterError when the flow is not a finite waveform or the step is out of range.
+    ParameterError when the flow is not a finite waveform, or the step is out of range or longer than the sound's
+    travel through the tract.
     """
-    check_number("time_step_s", time_step_s, *STEP_LIMITS_S, "s")
+    travel = len(tract.areas_m2) * tract.section_travel_s
+    check_number("time_step_s", time_step_s, STEP_LIMITS_S[0], min(travel, STEP_LIMITS_S[1]), "s")
     flow = np.asarray(flow_m3_s, dtype=np.float64)
     if flow.ndim != 1 or flow.size == 0:
         raise ParameterError("flow_m3_s", f"shape {flow.shape} is not a waveform", "one value per time step")

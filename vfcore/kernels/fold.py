@@ -149,14 +149,12 @@ def step_kernel(nx: int, ny: int, rotation: bool):
                             record[row, 3] = i - FIRST
 
             # membrane and beam: advance velocity, then displacement
-            for j in range(ny):
-                for i in range(C1, C1 + N):
-                    o = j * S + i
-                    dv = buf[F + o]
-                    v = buf[V + o] + dv
-                    buf[DV + o] = dv
-                    buf[V + o] = v
-                    buf[W + o] += dt * v
+            for o in range(ny * S):
+                dv = buf[F + o]
+                v = buf[V + o] + dv
+                buf[DV + o] = dv
+                buf[V + o] = v
+                buf[W + o] += dt * v
             for i in range(C1, C1 + N):
                 acceleration = -four_per_dt2 * buf[WB + i]
                 for k in range(NB):

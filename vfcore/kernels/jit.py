@@ -37,7 +37,7 @@ os.environ.setdefault("NUMBA_CACHE_DIR", str(data_directory() / "kernels" / _sou
 import llvmlite.binding as llvm  # noqa: E402
 
 CODE_GENERATION = (
-    "-unroll-threshold=1000",  # rows of the column loop
+    "-unroll-threshold=2500",  # rows of the column loop
     "-force-vector-width=4",  # 256-bit: layout.VECTOR
     "-force-vector-interleave=1",
     "-prefer-predicate-over-epilogue=predicate-else-scalar-epilogue",  # no scalar rest columns

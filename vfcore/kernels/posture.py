@@ -9,8 +9,9 @@ Where the path folds (det J = 0) no continuation in the activation goes on: the 
 snap to a distant posture, and which one is a matter of its dynamics. That is a failure here, with the place.
 None of the published sets folds anywhere in [0, 1]^5; overridden constants can.
 
-Newton is quadratic between the kinks of |d_t|, |d_r|, collision, ε_1 and the end of the active stress, where J
-jumps; there a line search keeps the residual falling. One solve takes about 40 evaluations.
+J jumps at the kinks of |d_t|, |d_r|, collision, ε_1 and the end of the active stress. Plain Newton steps pass
+them: while det J keeps its sign, the root of one side's linear equations lies on the other side, whose own
+step then ends the search. A line search on the residual would stall there, so short load steps replace it.
 """
 
 import math
@@ -23,9 +24,8 @@ from vfcore.kernels.posture_equations import equilibrium
 OK, NO_REST, NO_POSTURE = range(3)  # status
 
 TOLERANCE = 1e-12  # of the load scale of each equation
-NEWTON_LIMIT = 12
-EASY, FEW = 5, 8  # Newton iterations after which the next step may be longer; beyond which a step is refused
-FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.125, 0.25, 1e-6  # of the load
+EASY, NEWTON_LIMIT = 4, 7  # iterations after which the next step may be longer; and a step is refused
+FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.125, 0.25, 1e-9  # of the load
 MOVE = (1e-3, 1e-3, 0.1, 0.1, 0.1)  # m, m, rad, strain, strain: largest move of an accepted step
 
 
@@ -72,31 +72,20 @@ def relative_size(r, scale):
 
 @jit
 def newton(u, activation, passive, muscles, joints, scale, work):
-    """Improve ``u`` (5,) in place; return relative residual, iterations and det J there (0: singular or stuck).
+    """Improve ``u`` (5,) in place; return relative residual, iterations and det J there (0: singular or not reached).
 
-    ``work`` (8, 5) is working space. The residual falls in every iteration, or the search stops.
+    ``work`` (6, 5) is working space.
     """
-    r, trial, trial_r, jac = work[0], work[1], work[2], work[3:8]
-    equilibrium(u, activation, passive, muscles, joints, r, jac)
-    size = relative_size(r, scale)
-    for iteration in range(NEWTON_LIMIT):
+    r, jac = work[0], work[1:6]
+    size = math.inf
+    for iteration in range(NEWTON_LIMIT + 1):
+        equilibrium(u, activation, passive, muscles, joints, r, jac)
+        size = relative_size(r, scale)
         determinant = solve_linear(jac, r)  # r becomes J⁻¹ r
-        if size <= TOLERANCE or determinant == 0.0:
+        if size <= TOLERANCE or determinant == 0.0 or size == math.inf:
             return size, iteration, determinant
-        fraction = 1.0
-        while True:
-            for a in range(5):
-                trial[a] = u[a] - fraction * r[a]
-            equilibrium(trial, activation, passive, muscles, joints, trial_r, jac)
-            trial_size = relative_size(trial_r, scale)
-            if trial_size < (1.0 - 0.1 * fraction) * size:
-                break
-            fraction *= 0.5
-            if fraction < 1e-3:
-                return size, iteration, 0.0
-        size = trial_size
         for a in range(5):
-            u[a], r[a] = trial[a], trial_r[a]
+            u[a] -= r[a]
     return size, NEWTON_LIMIT, 0.0
 
 
@@ -107,7 +96,7 @@ def continue_leg(
     """Follow the root from one load to another; return the part of the way covered (1: all) and the residual.
 
     ``start``, ``target``: activations (5,). ``orientation``: sign that det J must keep.
-    ``loads``, ``point`` (5,) and ``work`` (8, 5): working space.
+    ``loads``, ``point`` (5,) and ``work`` (6, 5): working space.
     """
     done, step, residual = 0.0, FIRST_STEP, 0.0
     while done < 1.0:
@@ -120,7 +109,7 @@ def continue_leg(
         move = 0.0
         for a in range(5):
             move = max(move, abs(point[a] - u[a]) / MOVE[a])
-        if size <= TOLERANCE and iterations <= FEW and determinant * orientation > 0.0 and move <= 1.0:
+        if size <= TOLERANCE and determinant * orientation > 0.0 and move <= 1.0:
             done, residual = following, size
             for a in range(5):
                 u[a] = point[a]
@@ -141,13 +130,13 @@ def solve_postures(activations, muscles, joints, scale, roots, outcomes, status)
     the way covered; ``status`` (n,). Where status is not OK the root is the last one reached.
     """
     relaxed, loads, point = np.zeros(5), np.empty(5), np.empty(5)
-    work = np.empty((8, 5))
+    work = np.empty((6, 5))
     for n in range(activations.shape[0]):
         u = roots[n]
         for a in range(5):
             u[a] = 0.0
-        equilibrium(u, relaxed, 0.0, muscles, joints, work[0], work[3:8])
-        orientation = math.copysign(1.0, solve_linear(work[3:8], work[0]))
+        equilibrium(u, relaxed, 0.0, muscles, joints, work[0], work[1:6])
+        orientation = math.copysign(1.0, solve_linear(work[1:6], work[0]))
         status[n] = OK
         done, residual = continue_leg(
             u, relaxed, relaxed, 0.0, 1.0, muscles, joints, scale, orientation, loads, point, work
@@ -160,6 +149,6 @@ def solve_postures(activations, muscles, joints, scale, roots, outcomes, status)
             )
             if done < 1.0:
                 status[n] = NO_POSTURE
-        xi_02, strain = equilibrium(u, activations[n], 1.0, muscles, joints, work[0], work[3:8])
+        xi_02, strain = equilibrium(u, activations[n], 1.0, muscles, joints, work[0], work[1:6])
         outcomes[n, 0], outcomes[n, 1] = strain, xi_02
         outcomes[n, 2], outcomes[n, 3] = relative_size(work[0], scale), done

@@ -30,6 +30,11 @@ class Analysis:
         return cut_cycles(self.signals.glottal_area_m2, self.signals.window_start, self.phonation)
 
     @cached_property
+    def contact_cycles(self) -> Cycles:
+        """Cycles from area peak to area peak, so that no contact is cut in two."""
+        return self.cycles.between_peaks(self.signals.glottal_area_m2)
+
+    @cached_property
     def open_phases(self) -> OpenPhases:
         return open_phases(self.signals.glottal_area_m2, self.cycles)
 

@@ -75,9 +75,7 @@ def _plain(spec: MeasureSpec) -> dict:
     normal = spec.normal_range
     row["needs"] = spec.needs.value
     row["normal_range"] = (
-        None
-        if normal is None
-        else {"low": normal.low, "high": normal.high, "who": normal.who, "source": normal.source}
+        None if normal is None else {"low": normal.low, "high": normal.high, "who": normal.who, "source": normal.source}
     )
     return row
 

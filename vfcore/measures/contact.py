@@ -1,5 +1,7 @@
 """Contact between the folds: pressure, place, impulse, area and duration.
 
+The cycles run from one peak of the glottal area to the next, so that each holds one whole contact.
+
 A cycle without contact has contact pressure, impulse, area and quotient 0; that is a finding, not a missing value.
 Only the place of the contact is then missing.
 """

@@ -78,6 +78,13 @@ class Cycles:
         _, first = np.unique(self.index[hits], return_index=True)
         return hits[first] + self.bounds[0]
 
+    def between_peaks(self, wave: np.ndarray) -> "Cycles":
+        """The same cycles cut at the largest values of ``wave`` instead: one fewer, in whole patterns if possible."""
+        peaks = self.where_largest(wave)
+        whole = (len(peaks) - 1) // self.per_pattern * self.per_pattern or len(peaks) - 1
+        peaks = peaks[len(peaks) - 1 - whole :]
+        return Cycles(peaks.astype(np.float64), peaks, self.per_pattern)
+
     @property
     def representative(self) -> tuple[int, int]:
         """Sample bounds of one whole pattern to show: the latest of those nearest the median length."""

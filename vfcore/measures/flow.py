@@ -11,15 +11,16 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
 from vfcore.measures.cycles import Cycles
+from vfcore.measures.measure import Missing
 
 # Below it lies nearly all energy of a glottal pulse; above it the area, cut off at 0, has corners that only the
 # sample rate would round. Inverse filtering in the clinic is limited to 1–4 kHz.
 SLOPE_CUTOFF_HZ = 3000.0
 
 
-def mean_ml_s(flow_m3_s: np.ndarray, cycles: Cycles | None) -> float:
-    """Mean flow over whole cycles, or over the samples given where there are no cycles; mL/s."""
-    return float((flow_m3_s if cycles is None else cycles.span(flow_m3_s)).mean(dtype=np.float64) * 1e6)
+def mean_ml_s(flow_m3_s: np.ndarray) -> float:
+    """Mean of the flow samples given, mL/s: whole cycles where there are any."""
+    return float(flow_m3_s.mean() * 1e6)
 
 
 def ac_ml_s(flow_m3_s: np.ndarray, cycles: Cycles) -> float:
@@ -51,10 +52,14 @@ def mfdr_l_s2(slope_m3_s2: np.ndarray, cycles: Cycles) -> float:
     return float(steepest_fall(slope_m3_s2, cycles).mean() * 1e3)
 
 
-def naq(flow_m3_s: np.ndarray, slope_m3_s2: np.ndarray, cycles: Cycles, sample_rate_hz: float) -> float:
-    """Normalised amplitude quotient (AC / |d_min|) / T, mean over cycles (Alku et al. 2002)."""
-    quotient = _swing(flow_m3_s, cycles) / steepest_fall(slope_m3_s2, cycles)
-    return float((quotient * sample_rate_hz / cycles.periods).mean())
+def naq(flow_m3_s: np.ndarray, slope_m3_s2: np.ndarray, cycles: Cycles, sample_rate_hz: float) -> float | Missing:
+    """Normalised amplitude quotient (AC / |d_min|) / T, mean over the cycles whose flow falls (Alku et al. 2002)."""
+    fall = steepest_fall(slope_m3_s2, cycles)
+    falls = fall > 0.0
+    if not falls.any():
+        return Missing("The flow does not fall in any cycle.")
+    quotient = _swing(flow_m3_s, cycles)[falls] / fall[falls]
+    return float((quotient * sample_rate_hz / cycles.periods[falls]).mean())
 
 
 def _swing(flow_m3_s: np.ndarray, cycles: Cycles) -> np.ndarray:

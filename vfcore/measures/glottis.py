@@ -1,8 +1,9 @@
 """Quotients of the minimum glottal area waveform: how long it is closed, how it opens and closes.
 
 A cycle of length T is closed while its area is below 0.1 % of its own peak. The instants of crossing are interpolated
-between samples. Where the model's area is cut off at exactly 0, the sample on the closed side says nothing about when
-it got there, so the crossing is extrapolated from the two samples on the open side and kept within its interval.
+between samples. Where the area lies flat on the closed side, at 0 as a rule, the sample there says nothing about when
+it got there: the crossing is then extrapolated from the three samples on the open side, along the parabola through
+them, and kept within its interval.
 """
 
 from dataclasses import dataclass
@@ -11,6 +12,9 @@ import numpy as np
 
 from vfcore.measures.cycles import CLOSED_FRACTION, Cycles, lowest_near, refined_extremum
 from vfcore.measures.measure import Missing
+
+# The area counts as flat where its next step is below this fraction of the step across the threshold.
+FLANK = 0.01
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,27 +44,33 @@ def open_phases(area_m2: np.ndarray, cycles: Cycles) -> OpenPhases:
 
     n = cycles.count
     first, last = cycles.offsets, cycles.offsets + cycles.lengths
-    open_time = np.bincount(cycle_of_down, downs, n) - np.bincount(cycle_of_up, ups, n)
-    open_time += np.where(np.append(is_open, is_open[-1])[last], last, 0.0) - np.where(is_open[first], first, 0.0)
+    still_open = np.append(is_open, is_open[-1])
+    begin = np.bincount(cycle_of_up, ups, n) + np.where(is_open[first], first, 0.0)
+    end = np.bincount(cycle_of_down, downs, n) + np.where(still_open[last], last, 0.0)
 
     minima = refined_extremum(area_m2, lowest_near(area_m2, cycles.bounds, cycles.lengths.min() / 16))
     opens, closes = minima[:-1] - cycles.bounds[0], minima[1:] - cycles.bounds[0]
     opens[cycle_of_up[::-1]] = ups[::-1]
     closes[cycle_of_down] = downs
     peaks = refined_extremum(area_m2, cycles.where_largest(area_m2)) - cycles.bounds[0]
-    return OpenPhases(np.clip(open_time / cycles.lengths, 0.0, 1.0), opens, peaks, closes)
+    return OpenPhases(np.clip((end - begin) / cycles.lengths, 0.0, 1.0), opens, peaks, closes)
 
 
 def _open_side(area: np.ndarray, at: np.ndarray, outward: int, level: np.ndarray) -> np.ndarray:
     """How far (0 to 1 sample) the crossing lies before the open sample ``at``; ``outward`` points into the open phase.
 
-    Two candidates: interpolation with the closed neighbour, or, if that one is cut off at 0, extrapolation.
+    The closed neighbour is used if it lies on the flank, that is, if the area falls further beyond it.
     """
-    value, threshold = area[at], level[at]
-    closed = area[at - outward]
-    beyond = area[np.clip(at + outward, 0, len(area) - 1)]
-    slope = np.where((closed > 0.0) | (beyond <= value), value - closed, beyond - value)
-    return np.clip((value - threshold) / slope, 0.0, 1.0)
+    last = len(area) - 1
+    beyond, closed, value, inside, deeper = (area[np.clip(at + k * outward, 0, last)] for k in (-2, -1, 0, 1, 2))
+    height = value - level[at]
+    # value + slope s + curve s² through the three open samples, s counted towards the closed side.
+    curve = 0.5 * (value - 2.0 * inside + deeper)
+    slope = value - inside + curve
+    interpolate = (closed - beyond > FLANK * (value - closed)) | (slope >= 0.0)
+    root = np.sqrt(np.maximum(slope**2 - 4.0 * curve * height, 0.0))
+    per_sample = np.where(interpolate, value - closed, 0.5 * (root - slope))
+    return np.clip(height / per_sample, 0.0, 1.0)
 
 
 def closed_quotient(phases: OpenPhases) -> float:

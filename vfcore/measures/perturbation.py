@@ -16,9 +16,12 @@ from vfcore.measures.pitch import Autocorrelation
 HIGHEST_HNR_DB = 60.0
 
 
-def jitter_percent(cycles: Cycles) -> float:
-    """Mean difference between the lengths of neighbouring cycles, in % of the mean length."""
-    return _mean_step_percent(cycles.periods)
+def jitter_percent(openings: np.ndarray) -> float:
+    """Mean difference between neighbouring times from one opening to the next, in % of their mean.
+
+    ``openings``: shape (N,), one instant per cycle, any unit.
+    """
+    return _mean_step_percent(np.diff(openings))
 
 
 def shimmer_percent(pressure_pa: np.ndarray, cycles: Cycles) -> float | Missing:

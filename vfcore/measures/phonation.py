@@ -29,16 +29,24 @@ MIN_RELATIVE_SWING = 0.05
 # any in the tissue (milliseconds to tens of milliseconds) unless the posture sits on the threshold itself. Asking for
 # three steps in a row spares irregular voices, whose swing wanders, and waves that have merely come down to a plateau.
 STEADY_RATIO = 0.93
-# A quarter with less than half the swing of another holds part of an onset or an end: averages would mix both.
-MIN_QUARTER_RATIO = 0.5
+# A quarter with less than half the swing of another holds part of an onset or an end: averages would mix both. Where a
+# pattern repeats, the same is asked of every single pattern.
+MIN_SWING_RATIO = 0.5
+# The same for stretches of 50 ms, one cycle of the slowest pattern. Irregular voices may vary much within so short a
+# time, so only near silence counts.
+STRETCH_S = 1.0 / LOWEST_RATE_HZ
+MIN_STRETCH_RATIO = 0.1
 # A nearly periodic voice ("type 1") differs from cycle to cycle by less than 5 % (Titze 1995). Here: root-mean-square
 # difference between the wave and its copy one pattern later, over the rms of the wave.
 MAX_CYCLE_DIFFERENCE = 0.05
-# Two cycles of a pattern count as similar from this autocorrelation on: amplitudes in a ratio up to about 3 to 1.
-# Below it the smaller one is a second bump of one cycle, not a cycle of its own.
-SIMILAR_CYCLES = 0.6
-# A similar cycle begins at a whole fraction of the pattern, give or take this share of a cycle.
+# Cycles count as alike from this autocorrelation on. For a pattern of two, r at half the pattern is the share of the
+# energy in the harmonics of the visible rate minus the share in those between, so 1/3 means twice the energy: for a
+# triangular area, amplitudes in a ratio down to 1 : 0.3. Below it the smaller is a second bump of one cycle.
+ALIKE = 1.0 / 3.0
+# The next cycle alike begins at a whole fraction of the pattern, give or take this share of a cycle.
 FRACTION_TOLERANCE = 0.1
+# Longer patterns cannot be told from irregular voices in half a second.
+MAX_CYCLES_PER_PATTERN = 6
 # A pattern of several cycles must also repeat this many patterns later: two incommensurate rates may match once.
 LATER_PATTERNS = (2, 4)
 # Below this autocorrelation no cycle can be followed to the next (Boersma 1993 takes 0.45 as his voicing threshold).
@@ -70,21 +78,22 @@ class Phonation:
 def judge_phonation(area_m2: np.ndarray, sample_rate_hz: float) -> Phonation:
     """The phonation state of the minimum glottal area ``area_m2``, shape (n,), m², over one window."""
     area = np.asarray(area_m2, dtype=np.float64)
-    silence = _too_small(area, sample_rate_hz) or _unsteady(area)
+    silence = _too_small(area, sample_rate_hz) or _unsteady(area, int(STRETCH_S * sample_rate_hz))
     if silence:
         return Phonation("none", silence)
     correlation = Autocorrelation(area)
     lag_min = max(int(sample_rate_hz / HIGHEST_RATE_HZ), 2)
     lag_max = min(int(sample_rate_hz / LOWEST_RATE_HZ), len(area) // 3)
-    peaks = [correlation.refine(lag) for lag in correlation.peaks(lag_min, lag_max)]
+    peaks = correlation.peaks(lag_min, lag_max)
     if not peaks:
         return Phonation("none", "No phonation: the glottal area changes but does not vibrate.")
     for peak in peaks:
         if cycle_difference(peak.height) <= MAX_CYCLE_DIFFERENCE:
             peak = correlation.near(peak.lag, 0.02 * peak.lag + 1.0)
             cycle, count = _cycle_in_pattern(peak, peaks)
-            if count == 1 or _repeats_later(correlation, peak):
-                return _repeating(correlation, peak, cycle, count)
+            if count == 1 or (count <= MAX_CYCLES_PER_PATTERN and _repeats_later(correlation, peak)):
+                uneven = _uneven(_swings(area, int(np.ceil(peak.lag)) + 1), MIN_SWING_RATIO)
+                return Phonation("none", uneven) if uneven else _repeating(correlation, peak, cycle, count)
     return _irregular(correlation, peaks)
 
 
@@ -118,21 +127,43 @@ def _too_small(area: np.ndarray, sample_rate_hz: float) -> str | None:
     return None
 
 
-def _unsteady(area: np.ndarray) -> str | None:
-    quarter = len(area) // 4
-    swings = np.ptp(area[-4 * quarter :].reshape(4, quarter), axis=1)
+def _unsteady(area: np.ndarray, stretch: int) -> str | None:
+    swings = _swings(area, len(area) // 4)
     before, after = swings[:-1], swings[1:]
+    if np.all(after < STEADY_RATIO * before):
+        return _dies_out(swings)
+    if np.all(before < STEADY_RATIO * after):
+        return _builds_up(swings)
+    return _uneven(swings, MIN_SWING_RATIO) or _uneven(_swings(area, stretch), MIN_STRETCH_RATIO)
+
+
+def _uneven(swings: np.ndarray, smallest_ratio: float) -> str | None:
     smallest, largest = int(swings.argmin()), int(swings.argmax())
-    uneven = swings[smallest] < MIN_QUARTER_RATIO * swings[largest]
-    change = f"from {swings[0] * 1e6:.3g} to {swings[-1] * 1e6:.3g} mm² of area swing in the measured half of the run"
-    if np.all(after < STEADY_RATIO * before) or (uneven and smallest > largest):
-        return f"No sustained phonation: the vibration dies out, {change}."
-    if np.all(before < STEADY_RATIO * after) or (uneven and smallest < largest):
-        return (
-            f"Phonation not settled: the vibration is still building up, {change}; "
-            "a longer run would show whether it is sustained."
-        )
-    return None
+    if swings[smallest] >= smallest_ratio * swings[largest]:
+        return None
+    return _dies_out(swings) if smallest > largest else _builds_up(swings)
+
+
+def _swings(area: np.ndarray, length: int) -> np.ndarray:
+    """Largest minus smallest area in consecutive stretches of ``length`` samples, up to the end of the window."""
+    count = len(area) // length
+    return np.ptp(area[len(area) - count * length :].reshape(count, length), axis=1)
+
+
+def _dies_out(swings: np.ndarray) -> str:
+    return f"No sustained phonation: the vibration dies out, {_change(swings)}."
+
+
+def _builds_up(swings: np.ndarray) -> str:
+    return (
+        f"Phonation not settled: the vibration is still building up, {_change(swings)}; "
+        "a longer run would show whether it is sustained."
+    )
+
+
+def _change(swings: np.ndarray) -> str:
+    first, last = swings[0] * 1e6, swings[-1] * 1e6
+    return f"from {first:.3g} to {last:.3g} mm² of area swing in the measured half of the run"
 
 
 def _cycle_in_pattern(pattern: Peak, peaks: list[Peak]) -> tuple[float, int]:
@@ -142,7 +173,7 @@ def _cycle_in_pattern(pattern: Peak, peaks: list[Peak]) -> tuple[float, int]:
         count = round(ratio)
         if count < 2:
             break
-        if peak.height >= SIMILAR_CYCLES and abs(ratio - count) <= FRACTION_TOLERANCE * count:
+        if peak.height >= ALIKE and abs(ratio - count) <= FRACTION_TOLERANCE * count:
             return pattern.lag / count, count
     return pattern.lag, 1
 
@@ -179,11 +210,10 @@ def _irregular(correlation: Autocorrelation, peaks: list[Peak]) -> Phonation:
             "Irregular: the glottis vibrates without a recognisable cycle.",
             highest, correlation=correlation,
         )  # fmt: skip
-    # The shortest lag that is nearly the best: later cycles of the same vibration match about as well.
-    cycle = next(peak for peak in peaks if peak.height >= 0.8 * highest)
+    cycle = next(peak for peak in peaks if peak.height >= ALIKE)
     return Phonation(
         "irregular",
-        f"Irregular: cycles differ from one to the next by {100 * cycle_difference(cycle.height):.0f} %, "
-        "and no pattern of several cycles repeats.",
+        f"Irregular: each cycle differs from the next by {100 * cycle_difference(cycle.height):.0f} %, "
+        f"and no pattern of up to {MAX_CYCLES_PER_PATTERN} cycles repeats.",
         cycle.height, cycle.lag, cycle.lag, 1, correlation,
     )  # fmt: skip

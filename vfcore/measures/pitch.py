@@ -20,6 +20,8 @@ LOWEST_RATE_HZ = 20.0
 HIGHEST_RATE_HZ = 1000.0
 # Long lags divide the error of a period by their number of cycles, as long as the wave still matches itself.
 REFINE_MATCH = 0.9
+# Noise ripples r by about 1/√n, less than 0.01; any cycle makes it fall and rise by more than this.
+PEAK_RISE = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,25 +55,28 @@ class Autocorrelation:
         self.n = n
         self.values = np.divide(product, scale, out=np.zeros(keep), where=scale > 1e-12 * energy[n])
 
-    def peaks(self, lag_min: int, lag_max: int) -> np.ndarray:
-        """Integer lags in [lag_min, lag_max] that are positive local maxima, shortest first."""
+    def peaks(self, lag_min: int, lag_max: int) -> list[Peak]:
+        """Positive local maxima of r between the lags ``lag_min`` and ``lag_max`` (samples), shortest lag first.
+
+        Each stands ``PEAK_RISE`` above the lowest r at shorter lags: not a ripple on the way down from lag 0.
+        """
         lag_max = min(lag_max, len(self.values) - 2)
         if lag_max < lag_min:
-            return np.empty(0, dtype=int)
-        r = self.values[lag_min - 1 : lag_max + 2]
-        middle = r[1:-1]
-        return np.flatnonzero((middle > r[:-2]) & (middle >= r[2:]) & (middle > 0.0)) + lag_min
-
-    def refine(self, lag: int) -> Peak:
-        """The maximum of the parabola through r at ``lag`` and its two neighbours."""
-        offset, height = parabola_vertex(*self.values[lag - 1 : lag + 2])
-        return Peak(lag + float(offset), min(float(height), 1.0))
+            return []
+        lowest = np.minimum.accumulate(self.values[: lag_max + 1])[lag_min:]
+        before, at, after = (self.values[lag_min + k : lag_max + 1 + k] for k in (-1, 0, 1))
+        found = np.flatnonzero((at > before) & (at >= after) & (at > 0.0) & (at > lowest + PEAK_RISE))
+        offset, height = parabola_vertex(before[found], at[found], after[found])
+        lags, heights = found + lag_min + offset, np.minimum(height, 1.0)
+        return [Peak(float(lag), float(height)) for lag, height in zip(lags, heights, strict=True)]
 
     def near(self, lag: float, reach: float) -> Peak:
         """The highest value within ``reach`` samples of ``lag``, refined."""
         low = max(int(np.ceil(lag - reach)), 1)
         high = min(int(np.floor(lag + reach)), len(self.values) - 2)
-        return self.refine(low + int(np.argmax(self.values[low : high + 1])))
+        lag = low + int(np.argmax(self.values[low : high + 1]))
+        offset, height = parabola_vertex(*self.values[lag - 1 : lag + 2])
+        return Peak(lag + float(offset), min(float(height), 1.0))
 
     def long_term_period(self, period: float) -> float:
         """``period`` (samples) made more accurate by matching the wave ever more cycles later."""

@@ -7,7 +7,9 @@ from math import degrees
 
 from vfcore.measures import contact, flow, glottis, level, perturbation, spectrum
 from vfcore.measures.analysis import Analysis
+from vfcore.measures.cycles import CLOSED_FRACTION
 from vfcore.measures.measure import Missing
+from vfcore.measures.pitch import HIGHEST_RATE_HZ, LOWEST_RATE_HZ
 from vfcore.measures.spec import MeasureSpec, Needs, NormalRange
 
 AREA = "minimum glottal area A_g,min(t)"
@@ -22,7 +24,11 @@ HOLMBERG = "Holmberg, Hillman & Perkell (1988), approximate"
 MEN = "men, normal effort"
 PITCH_GROUP, LEVEL_GROUP, AREA_GROUP, FLOW_GROUP = "pitch", "level and efficiency", "glottal area", "glottal flow"
 SPECTRUM_GROUP, PERTURBATION_GROUP, CONTACT_GROUP, POSTURE_GROUP = "spectrum", "perturbation", "contact", "posture"
-CLOSED = "closed: area below 0.1 % of the cycle's peak; 2 to 10 % would give up to 0.07 more closed time"
+CLOSED = (
+    f"closed: area below {CLOSED_FRACTION:.1%} of the cycle's peak; 2 to 10 % would give up to 0.07 more closed time"
+)
+SLOPE = f"derivative low-passed at {flow.SLOPE_CUTOFF_HZ / 1e3:g} kHz (−3 dB, Gaussian)"
+HARMONICS = "Hann window over the last half of the run, harmonics read at f_o and 2 f_o"
 
 
 def _fo_hz(a: Analysis) -> float:
@@ -31,9 +37,8 @@ def _fo_hz(a: Analysis) -> float:
 
 
 def _mean_flow_ml_s(a: Analysis) -> float:
-    return flow.mean_ml_s(a.signals.glottal_flow_m3_s[a.signals.window_start :], None) if a.cycles is None else (
-        flow.mean_ml_s(a.signals.glottal_flow_m3_s, a.cycles)
-    )  # fmt: skip
+    wave = a.signals.glottal_flow_m3_s
+    return flow.mean_ml_s(a.cycles.span(wave) if a.cycles else a.window(wave))
 
 
 def _efficiency(a: Analysis) -> float | Missing:
@@ -50,7 +55,7 @@ ROWS = (
         definition="Inverse mean cycle length. In a subharmonic voice the cycle is the whole repeating pattern, "
         "so f_o lies at a whole fraction of the visible rate.",
         formula="f_o = 1 / mean(T)",
-        threshold="repeating patterns between 20 and 1000 Hz; see the phonation state",
+        threshold=f"repeating patterns between {LOWEST_RATE_HZ:g} and {HIGHEST_RATE_HZ:g} Hz; see the phonation state",
         source="symbol and usage: Titze et al. (2015)",
         needs=Needs.CYCLES, compute=_fo_hz,
     ),
@@ -166,7 +171,7 @@ ROWS = (
         signal=FLOW, decimals=0,
         definition="Steepest fall of the flow in a cycle.",
         formula="−min dQ_g/dt, mean over cycles",
-        threshold="derivative low-passed at 3 kHz (−3 dB, Gaussian)",
+        threshold=SLOPE,
         source=HOLMBERG,
         normal_range=NormalRange(280.0, 280.0, MEN, HOLMBERG),
         needs=Needs.CYCLES, compute=lambda a: flow.mfdr_l_s2(a.flow_slope_m3_s2, a.cycles),
@@ -177,7 +182,7 @@ ROWS = (
         definition="AC flow over the steepest fall of the flow, in cycle lengths: small for pressed, "
         "large for breathy voice.",
         formula="(AC / |d_min|) / T, mean over cycles",
-        threshold="derivative low-passed at 3 kHz (−3 dB, Gaussian)",
+        threshold=SLOPE,
         source="Alku, Bäckström & Vilkman (2002)",
         needs=Needs.CYCLES,
         compute=lambda a: flow.naq(
@@ -189,7 +194,7 @@ ROWS = (
         group=SPECTRUM_GROUP, signal=FLOW, decimals=1,
         definition="Level of the first harmonic of the glottal flow above the second.",
         formula="20 log₁₀(H1 / H2)",
-        threshold="Hann window over the last half of the run, harmonics read at f_o and 2 f_o",
+        threshold=HARMONICS,
         source="Klatt & Klatt (1990)",
         needs=Needs.PERIODIC,
         compute=lambda a: spectrum.h1_h2_db(
@@ -202,7 +207,7 @@ ROWS = (
         definition="Level of the first harmonic of the radiated sound above the second, not corrected for formants, "
         "so it depends on the vowel.",
         formula="20 log₁₀(H1 / H2)",
-        threshold="Hann window over the last half of the run, harmonics read at f_o and 2 f_o",
+        threshold=HARMONICS,
         source="Klatt & Klatt (1990)",
         needs=Needs.PERIODIC,
         compute=lambda a: spectrum.h1_h2_db(a.window(a.signals.far_pressure_pa), _fo_hz(a), a.signals.sample_rate_hz),
@@ -213,8 +218,9 @@ ROWS = (
         definition="Height of the cepstral peak of the sound at the cycle length, above the straight line through the "
         "cepstrum. Values depend on the settings: compare only with the same ones.",
         formula="cepstrum(1/f_o) − regression line, dB, mean over frames",
-        threshold="51.2 ms Hamming frames every 25.6 ms, spectrum to 10 kHz, peak sought from 60 to 500 Hz, "
-        "line fitted from 1 ms on",
+        threshold=f"{spectrum.CPP_FRAME_S * 1e3:g} ms Hamming frames every {spectrum.CPP_HOP_S * 1e3:g} ms, "
+        f"spectrum to {spectrum.CPP_BAND_HZ / 1e3:g} kHz, line fitted from {spectrum.CPP_LINE_FROM_S * 1e3:g} ms on, "
+        f"peak sought from {spectrum.CPP_LOWEST_HZ:g} to {spectrum.CPP_HIGHEST_HZ:g} Hz",
         source="Hillenbrand, Cleveland & Erickson (1994)",
         needs=Needs.PHONATION,
         compute=lambda a: spectrum.cepstral_peak_prominence_db(
@@ -227,9 +233,9 @@ ROWS = (
         definition="Mean difference between the lengths of neighbouring cycles, relative to the mean length. "
         "Given for irregular voices only; above about 5 % it ranks voices no longer.",
         formula="100 · mean|T_i − T_i+1| / mean T",
-        threshold="cycles divided at the minima of the area low-passed to its cycle rate",
+        threshold="cycle lengths from opening to opening (from minimum to minimum where the glottis never closes)",
         source="Titze (1995)",
-        needs=Needs.IRREGULAR, compute=lambda a: perturbation.jitter_percent(a.cycles),
+        needs=Needs.IRREGULAR, compute=lambda a: perturbation.jitter_percent(a.open_phases.opens),
     ),
     MeasureSpec(
         key="shimmer_percent", symbol="shimmer", name="shimmer (local)", unit="%", group=PERTURBATION_GROUP,
@@ -256,11 +262,13 @@ ROWS = (
     MeasureSpec(
         key="contact_pressure_max_pa", symbol="p_col,max", name="maximum contact pressure", unit="Pa",
         group=CONTACT_GROUP, signal=CONTACT, decimals=0,
-        definition="Largest contact pressure over the medial surface and the cycle; 0 where the folds never touch.",
+        definition="Largest contact pressure over the medial surface and the cycle (from area peak to area peak); "
+        "0 where the folds never touch.",
         formula="max over x, y, t of p_col, mean over cycles",
         source=PAPER,
         normal_range=NormalRange(500.0, 5000.0, "canine hemilarynx, mid-fold", "Jiang & Titze (1994)"),
-        needs=Needs.CYCLES, compute=lambda a: contact.pressure_max_pa(a.signals.contact_pressure_max_pa, a.cycles),
+        needs=Needs.CYCLES,
+        compute=lambda a: contact.pressure_max_pa(a.signals.contact_pressure_max_pa, a.contact_cycles),
     ),
     MeasureSpec(
         key="contact_location", symbol="x/L", name="location of the maximum contact pressure", unit="1",
@@ -269,7 +277,9 @@ ROWS = (
         formula="x/L at max p_col, mean over cycles with contact",
         source=PAPER,
         needs=Needs.CYCLES,
-        compute=lambda a: contact.location(a.signals.contact_pressure_max_pa, a.signals.contact_location, a.cycles),
+        compute=lambda a: contact.location(
+            a.signals.contact_pressure_max_pa, a.signals.contact_location, a.contact_cycles
+        ),
     ),
     MeasureSpec(
         key="contact_impulse_pa_s", symbol="J_col", name="contact impulse", unit="Pa·s", group=CONTACT_GROUP,
@@ -280,7 +290,7 @@ ROWS = (
         source="defined here",
         needs=Needs.CYCLES,
         compute=lambda a: contact.impulse_pa_s(
-            a.signals.contact_pressure_max_pa, a.cycles, a.signals.sample_rate_hz
+            a.signals.contact_pressure_max_pa, a.contact_cycles, a.signals.sample_rate_hz
         ),
     ),
     MeasureSpec(
@@ -289,7 +299,7 @@ ROWS = (
         definition="Largest area of the medial surface in contact in a cycle.",
         formula="max A_col, mean over cycles",
         source="defined here",
-        needs=Needs.CYCLES, compute=lambda a: contact.area_mm2(a.signals.contact_area_m2, a.cycles),
+        needs=Needs.CYCLES, compute=lambda a: contact.area_mm2(a.signals.contact_area_m2, a.contact_cycles),
     ),
     MeasureSpec(
         key="contact_area_fraction", symbol="A_col / Lb", name="largest share of the medial surface in contact",
@@ -298,7 +308,7 @@ ROWS = (
         formula="max A_col / (L b), mean over cycles",
         source="defined here",
         needs=Needs.CYCLES,
-        compute=lambda a: contact.area_fraction(a.signals.contact_area_m2, a.cycles, a.signals.medial_area_m2),
+        compute=lambda a: contact.area_fraction(a.signals.contact_area_m2, a.contact_cycles, a.signals.medial_area_m2),
     ),
     MeasureSpec(
         key="contact_quotient", symbol="CQ_contact", name="contact quotient", unit="1", group=CONTACT_GROUP,
@@ -306,9 +316,9 @@ ROWS = (
         definition="Fraction of the cycle in which the contact area exceeds a quarter of its largest value; 0 where "
         "the folds never touch. What an electroglottograph would see, not the closed quotient.",
         formula="T(A_col > 0.25 max A_col) / T, mean over cycles",
-        threshold="25 % of the cycle's largest contact area",
+        threshold=f"{contact.CONTACT_FRACTION:.0%} of the cycle's largest contact area",
         source="Orlikoff (1991); why it is not CQ: Herbst et al. (2017)",
-        needs=Needs.CYCLES, compute=lambda a: contact.contact_quotient(a.signals.contact_area_m2, a.cycles),
+        needs=Needs.CYCLES, compute=lambda a: contact.contact_quotient(a.signals.contact_area_m2, a.contact_cycles),
     ),
     MeasureSpec(
         key="strain", symbol="ε̄", name="strain of the folds", unit="1", group=POSTURE_GROUP, signal=POSTURE, decimals=3,

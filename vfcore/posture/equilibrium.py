@@ -5,17 +5,17 @@ collision law stand in vfcore/kernels/posture_equations.py, the path from rest i
 The answer depends on activation and constants alone: every solve starts from the unloaded joints.
 """
 
+import math
+
 import numpy as np
 
 from vfcore.errors import ParameterError, PostureError
 from vfcore.fields import check_number
-from vfcore.kernels.posture import OK, solve_postures
+from vfcore.kernels.posture import NO_REST, OK, solve_postures
 from vfcore.params import Activation
 from vfcore.posture.packing import MUSCLE_ORDER, load_scale, pack
 from vfcore.posture.solution import PostureBatch, PostureSolution
 from vfcore.posture.tables import PosturingConstants, posture_set
-
-CONVERGED_BELOW = 1e-9  # of the load scale
 
 
 def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBatch:
@@ -34,7 +34,7 @@ def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBa
     unknowns, outcomes, status = np.empty((n, 5)), np.empty((n, 4)), np.empty(n, dtype=np.int64)
     solve_postures(activations, muscles, joints, load_scale(muscles, joints), unknowns, outcomes, status)
     strain, xi_02, residual, reached = outcomes.T
-    converged = (status == OK) & (residual < CONVERGED_BELOW) & (strain > -1)
+    converged = (status == OK) & (strain > -1)
     strain, xi_02 = np.where(converged, strain, np.nan), np.where(converged, xi_02, np.nan)
     raw = np.arctan(xi_02 / (constants.L_0_posture_m * (1 + strain)))
     return PostureBatch(
@@ -45,7 +45,7 @@ def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBa
         unknowns=np.where(converged[:, None], unknowns, np.nan),
         residual=residual,
         converged=converged,
-        reached=reached,
+        reached=np.where(status == NO_REST, 0.0, reached),
     )
 
 
@@ -77,8 +77,13 @@ def _no_posture(activation: Activation, constants: PosturingConstants, reached: 
     """The sentence for a posture that was not reached."""
     muscles = ", ".join(f"{key.upper()} {getattr(activation, key):g}" for key in MUSCLE_ORDER)
     changed = " with overridden constants" if constants != posture_set(constants.set_name) else ""
-    return (
-        f"no posture for {muscles} with the posturing set {constants.set_name}{changed}: the equilibrium followed "
-        f"from rest was lost at {reached:.1%} of this activation. Lower the activation, in particular of the "
-        f"strongest muscle, or take back constants that weaken a joint."
-    )
+    if reached == 0:
+        what = "already the relaxed larynx has no equilibrium that follows from unloaded joints"
+        remedy = "Take back constants that weaken a joint or stiffen a tissue."
+    elif reached == 1:
+        what = "the equilibrium shortens the fold to less than nothing (strain below -1)"
+        remedy = "Lower TA, or take back constants that strengthen it or weaken the cricothyroid joint."
+    else:
+        what = f"the equilibrium followed from rest ends at {math.floor(1e4 * reached) / 1e4:.2%} of this activation"
+        remedy = "Lower the activation, or take back constants that weaken a joint or strengthen a muscle."
+    return f"no posture for {muscles} with the posturing set {constants.set_name}{changed}: {what}. {remedy}"

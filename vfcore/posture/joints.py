@@ -35,7 +35,7 @@ class JointConstants:
     adductor_strain_gain: float = _q(0.7, "1", "strain of LCA, IA and PCA per γ θ_a / length", 0, 2, _CAJ, "0.7")
 
     x_CAJ_m: float = _q(0.0101, "m", "centre of the cricoarytenoid joint, lateral", 1e-3, 3e-2, _CAJ, "x_C")
-    y_CAJ_m: float = _q(-0.0101, "m", "centre of the cricoarytenoid joint, anterior", -3e-2, 3e-2, _CAJ, "y_C")
+    y_CAJ_m: float = _q(-0.0101, "m", "centre of the cricoarytenoid joint, anterior", -3e-2, -1e-3, _CAJ, "y_C")
     vocal_process_x_m: float = _q(0.004, "m", "cadaveric position of the vocal process, lateral", 0, 2e-2, _CAJ, "x̄_02")
 
     k_x_n_m: float = _q(60.0, "N/m", "lateral stiffness", 1, 1e4, _CAJ, "k_x")

@@ -5,6 +5,7 @@
 constants of Alzamendi et al. (2022); which values its posturing uses is known by secondary evidence.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from types import MappingProxyType
 
@@ -49,21 +50,41 @@ class PosturingConstants(JointConstants):
     def __post_init__(self):
         validate(self, "constants.")
         for key, prefix in _PREFIX.items():
-            validate(getattr(self, key), f"constants.{prefix}")
+            row = getattr(self, key)
+            validate(row, f"constants.{prefix}")
+            if row.epsilon_2 < row.epsilon_1:
+                raise ParameterError(
+                    f"constants.{prefix}epsilon_2",
+                    f"{row.epsilon_2:g} is below {prefix}epsilon_1, where the stress would jump",
+                    f"{row.epsilon_1:g} to 1",
+                )
+        if self.vocal_process_x_m >= self.x_CAJ_m:
+            raise ParameterError(
+                "constants.vocal_process_x_m",
+                f"{self.vocal_process_x_m:g} is not medial of the joint",
+                f"below x_CAJ_m = {self.x_CAJ_m:g} m",
+            )
 
     def override(self, name: str, value: float) -> "PosturingConstants":
         """This set with the constant ``name`` (see ``constant_names``) replaced by ``value``."""
-        place = _PLACES.get(name)
-        if place is None:
-            raise ParameterError(
-                f"constants.{name}", "is not a posturing constant", "a name such as L_0_posture_m or LCA_rest_length_m"
-            )
-        key, field_name = place
-        metadata = CONSTANTS[name]
-        check_number(f"constants.{name}", value, metadata["low"], metadata["high"], metadata["unit"])
-        if key is None:
-            return replace(self, **{field_name: float(value)})
-        return replace(self, **{key: replace(getattr(self, key), **{field_name: float(value)})})
+        return self.override_all({name: value})
+
+    def override_all(self, values: Mapping[str, float]) -> "PosturingConstants":
+        """This set with several constants replaced at once, so that only the outcome has to be consistent.
+
+        Raises ParameterError("constants.<name>", ...) for an unknown name or a value out of range.
+        """
+        changes: dict[str | None, dict[str, float]] = {}
+        for name, value in values.items():
+            if name not in _PLACES:
+                known = "a name such as L_0_posture_m or LCA_rest_length_m"
+                raise ParameterError(f"constants.{name}", "is not a posturing constant", known)
+            metadata = CONSTANTS[name]
+            check_number(f"constants.{name}", value, metadata["low"], metadata["high"], metadata["unit"])
+            key, field_name = _PLACES[name]
+            changes.setdefault(key, {})[field_name] = float(value)
+        joints = changes.pop(None, {})
+        return replace(self, **joints, **{key: replace(getattr(self, key), **row) for key, row in changes.items()})
 
 
 def _register():

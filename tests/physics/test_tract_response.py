@@ -1,0 +1,178 @@
+"""Impulse response and radiation: the same sound as the stepped tube, at any time step."""
+
+import numpy as np
+import pytest
+from scipy.interpolate import CubicHermiteSpline
+
+from tests.support.tract_twin import chain_response
+from vfcore.acoustics import impulse_response as module
+from vfcore.acoustics.impulse_response import FAR_DISTANCE_M, impulse_response, radiate
+from vfcore.acoustics.tract import Tract, stepped, vowel_tract
+from vfcore.errors import ParameterError
+from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S
+
+A = vowel_tract("a")
+TRAVEL = A.section_travel_s
+
+
+def some_flow(count, seed=0):
+    return np.random.default_rng(seed).random(count) * 1e-3
+
+
+def assert_same(values, expected, relative=1e-9):
+    np.testing.assert_allclose(values, expected, rtol=0, atol=relative * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("vowel", ["a", "i", "u"])
+def test_equals_the_stepped_tube_over_a_run_longer_than_response_and_block(vowel):
+    tract = vowel_tract(vowel)
+    flow = some_flow(150_000)
+    assert flow.size > 2 * module.LONGEST_BLOCK
+    assert flow.size > 4 * impulse_response(tract).lip_pressure_pa.size
+    sound = radiate(flow, tract.section_travel_s, tract)
+    pressure, mouth = stepped(flow, tract)
+    assert_same(sound.lip_pressure_pa, pressure)
+    assert_same(sound.mouth_flow_m3_s, mouth)
+
+
+def smooth(flow, step):
+    """The piecewise cubic with chord slopes through a flow that is 0 before its start."""
+    samples = np.concatenate([np.zeros(4), flow, np.zeros(4)])
+    slopes = np.zeros_like(samples)
+    slopes[1:-1] = (samples[2:] - samples[:-2]) / 2 / step
+    return CubicHermiteSpline((np.arange(samples.size) - 4) * step, samples, slopes)
+
+
+def test_default_step_equals_the_stepped_tube_fed_with_a_smooth_flow():
+    assert pytest.approx(4 * TRAVEL, rel=1e-12) == DEFAULT_STEP_S
+    flow = some_flow(20_000)
+    fine = smooth(flow, DEFAULT_STEP_S)(np.arange(-12, 80_000) * TRAVEL)
+    pressure, mouth = stepped(fine, A)
+    sound = radiate(flow, DEFAULT_STEP_S, A)
+    assert_same(sound.lip_pressure_pa, pressure[12::4])
+    assert_same(sound.mouth_flow_m3_s, mouth[12::4])
+
+
+def test_paper_step_equals_four_interleaved_tubes():
+    assert pytest.approx(TRAVEL / 4, rel=1e-12) == PAPER_STEP_S
+    flow = some_flow(100_000)
+    expected = np.empty_like(flow)
+    for phase in range(4):
+        expected[phase::4] = stepped(flow[phase::4], A).lip_pressure_pa
+    assert_same(radiate(flow, PAPER_STEP_S, A).lip_pressure_pa, expected)
+
+
+@pytest.mark.parametrize("ratio", [3.7, 0.61, 1 / 3, 14.0])
+def test_any_step_equals_the_tube_stepped_back_from_that_instant(ratio):
+    flow = some_flow(9000)
+    step = ratio * TRAVEL
+    sound = radiate(flow, step, A)
+    between = smooth(flow, step)
+    for m in (100, 2345, 8999):
+        back = np.arange(int((m + 3) * ratio) + 2)[::-1] * TRAVEL  # the tube's clock, ending at the instant m
+        instants = m * step - back
+        heard = stepped(np.where(instants < -2 * step, 0.0, between(instants)), A)
+        assert abs(sound.lip_pressure_pa[m] - heard.lip_pressure_pa[-1]) < 1e-9 * np.abs(sound.lip_pressure_pa).max()
+
+
+def pulses(time):
+    """Voice-like pulses (Rosenberg 1971) of 150 Hz, m³/s."""
+    phase = (time * 150) % 1
+    opening = 0.5 - 0.5 * np.cos(np.pi * phase / 0.3)
+    closing = np.cos(np.pi / 2 * (phase - 0.3) / 0.17)
+    return 1e-3 * np.where(phase < 0.3, opening, np.where(phase < 0.47, closing, 0.0))
+
+
+def test_default_step_keeps_the_paper_step_s_spectrum_to_8_khz():
+    levels = []
+    for step in (PAPER_STEP_S, DEFAULT_STEP_S):
+        count = round(0.4 / step)
+        heard = radiate(pulses(np.arange(count) * step), step, A).lip_pressure_pa[count // 2 :]
+        power = np.abs(np.fft.rfft(heard * np.blackman(heard.size)) * step) ** 2
+        freqs = np.fft.rfftfreq(heard.size, step)
+        levels.append([10 * np.log10(power[(freqs >= f) & (freqs < f + 1000)].sum()) for f in range(0, 8000, 1000)])
+    assert np.abs(np.subtract(*levels)).max() < 0.15
+
+
+def test_response_is_the_chain_matrix_calculation():
+    freqs = np.array([50.0, 300, 671, 947, 1500, 2961, 4000, 8000, 15_000, 33_000])
+    response = impulse_response(A).lip_pressure_pa
+    steps = np.arange(response.size)
+    spectrum = np.array([np.sum(response * np.exp(-2j * np.pi * f * TRAVEL * steps)) for f in freqs])
+    exact = chain_response(freqs, A.areas_m2, A.section_length_m, warped=True)
+    assert np.abs(spectrum / exact - 1).max() < 1e-7
+    # and the bilinear transform does not matter where voices are heard
+    analogue = chain_response(freqs[:8], A.areas_m2, A.section_length_m)
+    assert np.abs(20 * np.log10(np.abs(spectrum[:8] / analogue))).max() < 0.1
+
+
+@pytest.mark.parametrize("vowel", ["a", "i", "u"])
+def test_what_the_response_leaves_out_is_negligible(vowel):
+    tract = vowel_tract(vowel)
+    kept = impulse_response(tract).lip_pressure_pa
+    impulse = np.zeros(3 * kept.size)
+    impulse[0] = 1.0
+    whole = stepped(impulse, tract).lip_pressure_pa
+    assert np.array_equal(whole[: kept.size], kept)
+    assert np.sum(whole[kept.size :] ** 2) < 1e-18 * np.sum(whole**2)
+
+
+@pytest.mark.parametrize("step, relative", [(TRAVEL, 1e-5), (DEFAULT_STEP_S, 1e-3)])
+def test_far_pressure_is_a_simple_source_driven_by_the_mouth_flow(step, relative):
+    frequency = 1000.0
+    time = np.arange(round(0.8 / step)) * step
+    sound = radiate(np.sin(2 * np.pi * frequency * time) * 1e-4, step, A)
+    steady = time > 0.3
+    tone = np.exp(-2j * np.pi * frequency * time[steady]) * np.hanning(steady.sum())
+    mouth, far = (np.sum(x[steady] * tone) for x in (sound.mouth_flow_m3_s, sound.far_pressure_pa))
+    assert FAR_DISTANCE_M == 0.3  # the clinic's 30 cm
+    assert far / mouth == pytest.approx(1.14 / (4 * np.pi * 0.3) * 2j * np.pi * frequency, rel=relative)
+
+
+def test_a_start_with_flow_stays_a_jump():
+    sound = radiate(np.full(400, 1e-4), TRAVEL, A)
+    assert not np.abs(sound.mouth_flow_m3_s[:68]).max() > 1e-15
+    assert sound.mouth_flow_m3_s[68] > 1e-5
+
+
+def test_a_short_run_is_the_beginning_of_a_long_one():
+    flow = some_flow(5000)
+    short = radiate(flow[:300], DEFAULT_STEP_S, A)
+    long = radiate(flow, DEFAULT_STEP_S, A)
+    for part, whole in zip(short, long, strict=True):
+        assert part.shape == (300,)
+        np.testing.assert_allclose(part, whole[:300], rtol=0, atol=1e-12 * np.abs(whole).max())
+
+
+def test_air_and_step_are_not_mixed_up_between_runs():
+    flow = some_flow(3000)
+    helium = vowel_tract("a", 0.3, 700.0)
+    first = radiate(flow, DEFAULT_STEP_S, A).lip_pressure_pa.copy()
+    other = radiate(flow, DEFAULT_STEP_S, helium).lip_pressure_pa
+    coarser = radiate(flow, 2 * DEFAULT_STEP_S, A).lip_pressure_pa
+    again = radiate(flow, DEFAULT_STEP_S, A).lip_pressure_pa
+    assert np.array_equal(first, again)
+    assert np.abs(other - first).max() > 0.1 * np.abs(first).max()
+    assert np.abs(coarser - first).max() > 0.1 * np.abs(first).max()
+
+
+def test_a_tube_that_never_stops_ringing_is_refused():
+    with pytest.raises(ParameterError, match="rings without end"):
+        impulse_response(Tract([3e-4] * 70, radiation="open", attenuation=0.0))
+
+
+@pytest.mark.parametrize(
+    "flow, step, path",
+    [
+        (np.array([0.0, np.nan]), DEFAULT_STEP_S, "flow_m3_s"),
+        (np.zeros((2, 2)), DEFAULT_STEP_S, "flow_m3_s"),
+        (np.zeros(0), DEFAULT_STEP_S, "flow_m3_s"),
+        (np.zeros(10), 0.0, "time_step_s"),
+        (np.zeros(10), 69 * TRAVEL, "time_step_s"),
+        (np.zeros(10), np.nan, "time_step_s"),
+    ],
+)
+def test_unusable_input_is_refused_by_name(flow, step, path):
+    with pytest.raises(ParameterError) as caught:
+        radiate(flow, step, A)
+    assert caught.value.path == path

@@ -1,0 +1,160 @@
+"""The phonation state: what counts as phonation, as periodic, subharmonic and irregular."""
+
+import numpy as np
+import pytest
+
+from tests.support.synthetic_waves import MM2, RATE_HZ, alternating, signals_from, steady_phase, times, triangle
+from vfcore.measures import measure_all
+
+RATES = [60.0, 97.3, 149.6, 233.7, 371.0, 499.7]
+T = times()
+
+
+def pulses(fo_hz, closed_quotient=0.5, speed_quotient=1.5):
+    return 10 * MM2 * triangle(steady_phase(T, fo_hz), closed_quotient, speed_quotient)
+
+
+def report(area):
+    return measure_all(signals_from(area))
+
+
+@pytest.mark.parametrize("fo_hz", RATES)
+def test_a_repeating_wave_is_periodic(fo_hz):
+    result = report(pulses(fo_hz))
+    assert result.state == "periodic"
+    assert result.periodicity > 0.999
+
+
+@pytest.mark.parametrize("fo_hz", RATES)
+def test_a_glottis_that_never_closes_can_be_periodic(fo_hz):
+    result = report((40 + 4 * np.sin(2 * np.pi * fo_hz * T)) * MM2)
+    assert result.state == "periodic"
+    assert result.measures["fo_hz"].value == pytest.approx(fo_hz, rel=1e-4)
+    assert result.measures["closed_quotient"].value == 0.0
+
+
+@pytest.mark.parametrize("fo_hz", RATES)
+@pytest.mark.parametrize("second_bump_at", [0.3, 0.4])
+def test_two_bumps_in_a_cycle_are_one_cycle(fo_hz, second_bump_at):
+    phase = steady_phase(T, fo_hz)
+    result = report(10 * MM2 * (triangle(phase, 0.6, 1.5) + 0.5 * triangle(phase - second_bump_at, 0.8, 1.0)))
+    assert result.state == "periodic"
+    assert result.measures["fo_hz"].value == pytest.approx(fo_hz, rel=1e-4)
+
+
+@pytest.mark.parametrize("visible_hz", [97.3, 149.6, 233.7, 371.0, 499.7])
+@pytest.mark.parametrize(("weaker", "count"), [(0.9, 2), (0.6, 2), (0.35, 2), (0.7, 3), (0.8, 4)])
+def test_alternating_cycles_are_subharmonic_with_f_o_of_the_whole_pattern(visible_hz, weaker, count):
+    result = report(pulses(visible_hz) * alternating(steady_phase(T, visible_hz), weaker, count))
+    assert result.state == "subharmonic"
+    assert result.measures["fo_hz"].value == pytest.approx(visible_hz / count, rel=1e-4)
+    assert result.cycles % count == 0
+    start, stop = result.cycle_bounds
+    assert stop - start == pytest.approx(count * RATE_HZ / visible_hz, abs=0.02 * RATE_HZ / visible_hz)
+
+
+@pytest.mark.parametrize("visible_hz", RATES)
+def test_alternating_cycle_lengths_are_subharmonic(visible_hz):
+    phase = steady_phase(T, visible_hz)
+    result = report(10 * MM2 * triangle(phase + 0.06 * (np.floor(phase) % 2), 0.5, 1.5))
+    assert result.state == "subharmonic"
+    assert result.measures["fo_hz"].value == pytest.approx(visible_hz / 2, rel=1e-4)
+
+
+@pytest.mark.parametrize("fo_hz", RATES)
+def test_an_alternation_within_the_bound_of_a_nearly_periodic_voice_is_periodic(fo_hz):
+    result = report(pulses(fo_hz) * alternating(steady_phase(T, fo_hz), 0.97))
+    assert result.state == "periodic"
+    assert result.measures["fo_hz"].value == pytest.approx(fo_hz, rel=1e-4)
+
+
+@pytest.mark.parametrize("fo_hz", RATES)
+@pytest.mark.parametrize("depth", [0.1, 0.3, 0.6])
+def test_a_modulation_at_an_incommensurate_rate_is_irregular(fo_hz, depth):
+    golden = (3 - np.sqrt(5)) / 2
+    result = report(pulses(fo_hz) * (1 + depth * np.sin(2 * np.pi * golden * fo_hz * T)))
+    assert result.state == "irregular"
+    assert result.measures["fo_hz"].value == pytest.approx(fo_hz, rel=2e-3)
+
+
+@pytest.mark.parametrize("fo_hz", RATES)
+def test_random_cycle_lengths_are_irregular_and_counted_one_by_one(fo_hz):
+    rng = np.random.default_rng(7)
+    starts = np.cumsum((1 + 0.03 * rng.standard_normal(1200)) / fo_hz)
+    result = report(10 * MM2 * triangle(np.interp(T, starts, np.arange(1200)), 0.5, 1.5))
+    assert result.state == "irregular"
+    inside = starts[(starts > 0.5) & (starts < 1.0)]
+    assert result.measures["fo_hz"].value == pytest.approx(1 / np.diff(inside).mean(), rel=5e-3)
+
+
+@pytest.mark.parametrize(("noise", "state"), [(0.01, "periodic"), (0.1, "irregular")])
+def test_noise_counts_by_the_same_bound(noise, state):
+    rng = np.random.default_rng(3)
+    result = report(np.maximum(pulses(149.6) + 10 * MM2 * noise * rng.standard_normal(len(T)), 0.0))
+    assert result.state == state
+    assert result.measures["fo_hz"].value == pytest.approx(149.6, rel=1e-3)
+
+
+@pytest.mark.parametrize("fo_hz", RATES)
+@pytest.mark.parametrize(("envelope", "word"), [
+    (np.exp(-T / 0.1), "No phonation"),
+    (np.exp(-T / 0.5), "dies out"),
+    (np.exp(-T / 1.5), "dies out"),
+    (T < 0.7, "stays closed"),
+    (T < 0.8, "dies out"),
+    (0.2 * np.exp(T / 0.5), "still building up"),
+    (T > 0.6, "still building up"),
+    (T > 0.8, "still building up"),
+])  # fmt: skip
+def test_what_dies_out_or_still_grows_is_no_sustained_phonation(fo_hz, envelope, word):
+    result = report(pulses(fo_hz) * envelope)
+    assert result.state == "none"
+    assert word in result.explanation
+
+
+def test_a_ringing_around_an_open_glottis_is_no_phonation():
+    result = report((3 + 30 * np.exp(-T / 0.15) * np.sin(2 * np.pi * 140 * T)).clip(0) * MM2)
+    assert result.state == "none"
+    assert "dies out" in result.explanation
+
+
+@pytest.mark.parametrize("fo_hz", RATES)
+def test_a_wave_that_has_come_down_to_a_plateau_is_periodic(fo_hz):
+    assert report(pulses(fo_hz) * (1 + np.exp(-T / 0.1))).state == "periodic"
+
+
+@pytest.mark.parametrize(("area", "word"), [
+    (0 * T, "stays closed"),
+    (5 * MM2 + 0 * T, "0 mm²"),
+    ((5 + 0.04 * np.sin(2 * np.pi * 150 * T)) * MM2, "0.08 mm²"),
+    ((100 + 2 * np.sin(2 * np.pi * 150 * T)) * MM2, "4 % of its mean"),
+    (5 * MM2 * (1 + T), "does not vibrate"),
+    (5 * MM2 * np.random.default_rng(0).random(len(T)), "does not vibrate"),
+], ids=["closed", "open", "tiny", "shallow", "drift", "hiss"])  # fmt: skip
+def test_silence_is_named(area, word):
+    result = report(area)
+    assert result.state == "none"
+    assert result.periodicity is None
+    assert result.cycles == 0
+    assert result.cycle_bounds is None
+    assert word in result.explanation
+
+
+def test_a_swing_just_audible_is_phonation():
+    assert report((1 + 0.06 * np.sin(2 * np.pi * 150 * T)) * MM2).state == "periodic"
+
+
+def test_a_run_too_short_to_judge_says_so():
+    result = measure_all(signals_from(pulses(150.0)[:5000]))
+    assert result.state == "none"
+    assert "71 ms" in result.explanation
+
+
+@pytest.mark.parametrize("fo_hz", [97.3, 233.7])
+@pytest.mark.parametrize("rate_hz", [20_000.0, 44_100.0])
+def test_the_state_does_not_depend_on_the_sample_rate(fo_hz, rate_hz):
+    t = times(0.6, rate_hz)
+    area = 10 * MM2 * triangle(steady_phase(t, fo_hz), 0.5, 1.5)
+    result = measure_all(signals_from(area, rate_hz))
+    assert result.state == "periodic"
+    assert result.measures["fo_hz"].value == pytest.approx(fo_hz, rel=1e-4)

@@ -1,0 +1,49 @@
+"""Pressures on the medial surface of one state, for pictures: the laws of flow.py and contact.py, node by node.
+
+The step keeps no pressure fields. This reads them back from a stored state with the same laws,
+at the velocity the step would use (extrapolated to the time of the displacement).
+"""
+
+import math
+
+from vfcore.kernels import contact, flow
+from vfcore.kernels.jit import jit
+
+contact_pressure = contact.contact_pressure
+gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
+viscous_segment, slice_flux, pressure = flow.viscous_segment, flow.slice_flux, flow.pressure
+
+
+@jit
+def surface_pressures(w, v, G, P_s, dy, alpha_s, half_rho_a, twelve_mu_a, K_col, C_col, p_aero, p_col):
+    """Fill ``p_aero`` and ``p_col`` (ny, nx), Pa, for displacement ``w`` and velocity ``v`` (ny, nx)."""
+    ny, nx = w.shape
+    for i in range(nx):
+        d_min, d_max = math.inf, 0.0
+        for j in range(ny):
+            d = gap(G[j, i], w[j, i])
+            d_min, d_max = min(d, d_min), max(d, d_max)
+        d_sep = separation_gap(d_min, d_max, alpha_s)
+        integral, upstream = 0.0, math.inf
+        for k in range(ny):  # first pass: the integral down to separation gives the flux
+            j = ny - 1 - k
+            running = min(gap(G[j, i], w[j, i]), upstream)
+            on = attached(running, upstream, d_sep, d_min)
+            upstream = running
+            if j > 0:
+                r0 = reciprocal(gap(G[j, i], w[j, i]))
+                r1 = reciprocal(gap(G[j - 1, i], w[j - 1, i]))
+                integral += on * viscous_segment(r0, r1, 0.5 * dy)
+        q = slice_flux(P_s, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
+        integral, upstream = 0.0, math.inf
+        for k in range(ny):
+            j = ny - 1 - k
+            d = gap(G[j, i], w[j, i])
+            running = min(d, upstream)
+            on = attached(running, upstream, d_sep, d_min)
+            upstream = running
+            p_aero[j, i] = on * pressure(P_s, q, reciprocal(d), integral, half_rho_a, twelve_mu_a)
+            p_col[j, i] = contact_pressure(w[j, i], v[j, i], G[j, i], K_col, C_col)
+            if j > 0:
+                r1 = reciprocal(gap(G[j - 1, i], w[j - 1, i]))
+                integral += on * viscous_segment(reciprocal(d), r1, 0.5 * dy)

@@ -1,0 +1,156 @@
+"""A fold in motion: the state and the loop that advances it in chunks.
+
+Chunks of about 5 ms keep progress real, cancel prompt, and a divergence close to where it starts.
+"""
+
+import math
+from collections import deque
+from collections.abc import Callable
+
+import numpy as np
+
+from vfcore import assemble
+from vfcore.errors import Cancelled, DivergenceError
+from vfcore.kernels.fold import step_kernel
+from vfcore.kernels.layout import RECORD
+from vfcore.kernels.surface import surface_pressures
+from vfcore.params import DEFAULT_STEP_S
+from vfcore.statics import StaticShape
+
+CHUNK_S = 5e-3
+#: A displacement beyond this is no larynx any more; also catches NaN and inf.
+LARGEST_DISPLACEMENT_M = 0.02
+FLAT_BUMP_M = 1e-9  # the start of an earlier version of the model
+#: Checkpoints kept for reading back one cycle: the last 0.25 s of the run.
+CHECKPOINTS = 50
+
+
+class March:
+    """State of one fold under the step; times count from its start.
+
+    ``record_every`` steps make one recorded sample, so that the record comes at about 35 kHz for any step.
+    """
+
+    def __init__(self, fold: assemble.Fold, time_step_s: float, pressure_pa: float, rise_s: float = 0.0):
+        self.fold = fold
+        self.time_step_s = time_step_s
+        self.pressure_pa, self.rise_s = pressure_pa, rise_s
+        self.record_every = max(1, math.floor(DEFAULT_STEP_S / time_step_s + 1e-9))
+        self.buffer = assemble.new_buffer(fold, time_step_s)
+        self.scalars = assemble.scalars(fold, time_step_s)
+        self.steps = 0
+        self._advance = step_kernel(fold.nx, fold.ny, fold.rotation)
+        self._checkpoints: deque[tuple[int, np.ndarray]] = deque(maxlen=CHECKPOINTS)
+
+    def start_flat(self) -> None:
+        """w = 1 nm · sin(πx/L) sin(πy/b), everything else at rest."""
+        fold = self.fold
+        bump = np.sin(np.pi * fold.y_m / fold.y_m[-1])[:, None] * np.sin(np.pi * fold.x_m / fold.x_m[-1])
+        bump[[0, -1]], bump[:, [0, -1]] = 0.0, 0.0  # exact zeros: sin(π) is not
+        assemble.membrane(self.buffer, fold)[:] = FLAT_BUMP_M * bump
+
+    def start_static(self, shape: StaticShape) -> None:
+        """The static shape, unmoving."""
+        assemble.membrane(self.buffer, self.fold)[:] = shape.w_m
+        assemble.beam(self.buffer, self.fold)[:] = shape.w_b
+
+    def pressure_at(self, steps: np.ndarray) -> np.ndarray:
+        """Lung pressure at the given step numbers, Pa."""
+        if self.rise_s <= 0.0:
+            return np.full(len(steps), self.pressure_pa)
+        return self.pressure_pa * np.minimum(steps * self.time_step_s / self.rise_s, 1.0)
+
+    def run(
+        self,
+        samples: int,
+        progress: Callable[[float], None] | None = None,
+        stop: Callable[[], bool] | None = None,
+    ) -> np.ndarray:
+        """Advance until ``samples`` are recorded; (samples, 5), layout.RECORD.
+
+        Raises Cancelled when ``stop()`` is true between chunks, DivergenceError when the fold leaves all bounds.
+        """
+        record = np.empty((samples, len(RECORD)))
+        per_chunk = max(1, round(CHUNK_S / (self.time_step_s * self.record_every)))
+        for begin in range(0, samples, per_chunk):
+            if stop is not None and stop():
+                raise Cancelled("the run was stopped")
+            end = min(begin + per_chunk, samples)
+            self._chunk(record[begin:end])
+            if progress is not None:
+                progress(end / samples)
+        return record
+
+    def _chunk(self, record: np.ndarray) -> None:
+        before = self.buffer.copy()
+        self._checkpoints.append((self.steps, before))
+        steps = np.arange(self.steps, self.steps + len(record) * self.record_every)
+        self._advance(self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record)
+        self.steps += len(steps)
+        w = assemble.membrane(self.buffer, self.fold)
+        if not np.abs(w).max() < LARGEST_DISPLACEMENT_M:
+            self._locate_divergence(before, steps)
+
+    def _locate_divergence(self, buffer: np.ndarray, steps: np.ndarray) -> None:
+        scratch = np.empty((1, len(RECORD)))
+        for step in steps:
+            self._advance(buffer, self.scalars, self.pressure_at(np.array([step])), 1, scratch)
+            w = np.abs(assemble.membrane(buffer, self.fold))
+            bad = ~(w < LARGEST_DISPLACEMENT_M)
+            if bad.any():
+                j, i = np.argwhere(bad)[0]
+                raise DivergenceError(
+                    (step + 1) * self.time_step_s,
+                    i / (self.fold.nx - 1),
+                    j / (self.fold.ny - 1),
+                    f"the displacement passed {LARGEST_DISPLACEMENT_M * 1e3:g} mm",
+                    f"Try a step below {self.time_step_s:.3g} s, a lower pressure, or the constants' default values.",
+                )
+
+    def cycle(self, first_sample: int, last_sample: int, phases: int) -> dict[str, np.ndarray]:
+        """Fields at ``phases`` evenly spaced times in [first_sample, last_sample), read back from a checkpoint.
+
+        Returns cycle_time_s (p,), cycle_w_m, cycle_aerodynamic_pressure_pa, cycle_contact_pressure_pa (p, nx, ny)
+        and cycle_wb_m (p, nx). The march itself is left where it was.
+        """
+        fold, k = self.fold, self.fold.constants
+        wanted = np.linspace(first_sample, last_sample, phases, endpoint=False) * self.record_every
+        wanted = np.round(wanted).astype(int)
+        at, buffer = next(item for item in reversed(self._checkpoints) if item[0] <= wanted[0])
+        buffer = buffer.copy()
+        shape = (phases, fold.ny, fold.nx)
+        w_m, p_aero, p_col = np.empty(shape), np.empty(shape), np.empty(shape)
+        w_b = np.empty((phases, fold.nx))
+        scratch = np.empty((1, len(RECORD)))
+        for phase, step in enumerate(wanted):
+            if step > at:
+                steps = np.arange(at, step)
+                self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch)
+                at = step
+            w_m[phase] = assemble.membrane(buffer, fold)
+            w_b[phase] = assemble.beam(buffer, fold)
+            velocity = assemble.membrane(buffer, fold, "v") + 0.5 * assemble.membrane(buffer, fold, "dv")
+            surface_pressures(
+                w_m[phase], velocity, fold.medial_plane_m, self.pressure_at(np.array([step]))[0], fold.dy,
+                k.alpha_s, 0.5 * k.rho_a_kg_m3, 12.0 * k.mu_a_pa_s, k.K_col_pa_m, k.C_col_pa_s_m,
+                p_aero[phase], p_col[phase],
+            )  # fmt: skip
+        return {
+            "cycle_time_s": wanted * self.time_step_s,
+            "cycle_w_m": w_m.transpose(0, 2, 1),
+            "cycle_wb_m": w_b,
+            "cycle_aerodynamic_pressure_pa": p_aero.transpose(0, 2, 1),
+            "cycle_contact_pressure_pa": p_col.transpose(0, 2, 1),
+        }
+
+    @property
+    def oldest_sample(self) -> int:
+        """The first recorded sample that ``cycle`` can still read back."""
+        return -(-self._checkpoints[0][0] // self.record_every)
+
+
+def contact_location(record: np.ndarray, nx: int) -> np.ndarray:
+    """x/L of the largest contact pressure at each sample; NaN without contact."""
+    return record[:, RECORD.index("contact_column")] / (nx - 1)
+
+

@@ -1,0 +1,174 @@
+"""The main job: muscles in; posture, vibration, pressures, measures and sound out."""
+
+import time
+from collections.abc import Callable
+from datetime import UTC, datetime
+from importlib.metadata import version
+from typing import NamedTuple
+
+import numpy as np
+
+from vfcore.acoustics.impulse_response import radiate
+from vfcore.acoustics.tract import vowel_tract
+from vfcore.assemble import Fold, assemble
+from vfcore.kernels.layout import RECORD
+from vfcore.march import March, contact_location
+from vfcore.measures.catalogue import MeasureReport, measure_all
+from vfcore.measures.signals import Signals
+from vfcore.params import Simulation
+from vfcore.posture.equilibrium import solve_posture
+from vfcore.posture.solution import PostureSolution
+from vfcore.result import Provenance, SimulationResult
+from vfcore.stability import time_step_s
+from vfcore.statics import StaticShape, static_shape_of
+from vfcore.tissue.coefficients import coefficients
+from vfcore.version import CODE_VERSION, MODEL_VERSION
+
+PHASES = 100  # of the stored cycle
+UNREPEATED_S = 0.010  # what the cycle arrays hold when nothing repeats
+
+
+class Prepared(NamedTuple):
+    """Posture and fold of a request, before anything moves."""
+
+    posture: PostureSolution
+    fold: Fold
+    static: StaticShape
+
+
+def posture_of(request: Simulation) -> PostureSolution:
+    """The posture a request stands for: solved from the muscles, or given directly."""
+    L_0 = request.constants.L_0_m
+    given = request.posture
+    if given is None:
+        return solve_posture(request.activation, request.posturing, L_0)
+    half_gap = np.tan(given.glottal_half_angle_rad) * L_0 * (1.0 + given.strain)
+    nan = float("nan")
+    return PostureSolution(
+        given.strain, given.glottal_half_angle_rad, given.glottal_half_angle_rad, L_0 * (1.0 + given.strain),
+        float(half_gap), nan, nan, nan, nan, nan, residual=0.0, converged=True,
+    )  # fmt: skip
+
+
+def prepare(request: Simulation) -> Prepared:
+    """Posture, prestrained coefficients and static shape of a request (milliseconds).
+
+    Raises PostureError, ParameterError or StaticShapeError.
+    """
+    posture = posture_of(request)
+    rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
+    c = coefficients(posture.strain, request.activation.ta, request.constants)
+    fold = assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
+    return Prepared(posture, fold, static_shape_of(fold))
+
+
+def static_shape(request: Simulation) -> StaticShape:
+    """The fold at zero lung pressure: a direct solve with contact."""
+    return prepare(request).static
+
+
+def simulate(
+    request: Simulation,
+    progress: Callable[[float], None] | None = None,
+    stop: Callable[[], bool] | None = None,
+) -> SimulationResult:
+    """Run a request.
+
+    ``progress(fraction)`` is called after each chunk of about 5 ms of voice; ``stop()`` is asked before each.
+    Raises ParameterError (StabilityError) for a request that cannot be run, PostureError, DivergenceError,
+    Cancelled.
+    """
+    ready = prepare(request)
+    fold, run = ready.fold, request.run
+    march = March(fold, time_step_s(run, fold), request.subglottal_pressure_pa, run.pressure_rise_s)
+    march.start_static(ready.static) if run.start == "static" else march.start_flat()
+    sample_s = march.time_step_s * march.record_every
+    samples = round(run.duration_s / sample_s)
+    began = time.perf_counter()
+    record = march.run(samples, progress, stop)
+    kernel_seconds = time.perf_counter() - began
+
+    arrays = _waveforms(request, record, sample_s, fold.nx)
+    report = measure_all(_signals(request, ready, arrays, sample_s))
+    first, last, complete = _cycle_bounds(report, march, samples, sample_s)
+    arrays |= {
+        "x_m": fold.x_m,
+        "y_m": fold.y_m,
+        "medial_plane_m": fold.medial_plane_m.T,
+        "static_w_m": ready.static.w_m.T,
+        "static_wb_m": ready.static.w_b,
+    }
+    arrays |= march.cycle(first, last, PHASES)
+    return SimulationResult(
+        request=request,
+        posture=ready.posture,
+        coefficients=fold.coefficients,
+        static=ready.static,
+        report=report,
+        arrays=arrays,
+        cycle_is_complete=complete,
+        provenance=_provenance(march, sample_s, kernel_seconds),
+    )
+
+
+def _waveforms(request: Simulation, record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
+    column = {name: np.ascontiguousarray(record[:, k]) for k, name in enumerate(RECORD)}
+    air = request.constants
+    tract = vowel_tract(request.vowel, air.rho_a_kg_m3, air.c_a_m_s)
+    sound = radiate(column["glottal_flow_m3_s"], sample_s, tract)
+    return {
+        "time_s": np.arange(len(record)) * sample_s,
+        "glottal_area_m2": column["glottal_area_m2"],
+        "glottal_flow_m3_s": column["glottal_flow_m3_s"],
+        "radiated_pressure_pa": sound.lip_pressure_pa,
+        "far_pressure_pa": sound.far_pressure_pa,
+        "contact_pressure_max_pa": column["contact_pressure_max_pa"],
+        "contact_location": contact_location(record, nx),
+        "contact_area_m2": column["contact_area_m2"],
+    }
+
+
+def _signals(request: Simulation, ready: Prepared, arrays: dict[str, np.ndarray], sample_s: float) -> Signals:
+    c, posture = ready.fold.coefficients, ready.posture
+    return Signals(
+        sample_rate_hz=1.0 / sample_s,
+        time_s=arrays["time_s"],
+        glottal_area_m2=arrays["glottal_area_m2"],
+        glottal_flow_m3_s=arrays["glottal_flow_m3_s"],
+        lip_pressure_pa=arrays["radiated_pressure_pa"],
+        far_pressure_pa=arrays["far_pressure_pa"],
+        contact_pressure_max_pa=arrays["contact_pressure_max_pa"],
+        contact_location=arrays["contact_location"],
+        contact_area_m2=arrays["contact_area_m2"],
+        subglottal_pressure_pa=request.subglottal_pressure_pa,
+        length_m=c.length_m,
+        strain=posture.strain,
+        glottal_half_angle_rad=posture.glottal_half_angle_rad,
+        gap_m=2.0 * posture.half_gap_m,
+        medial_area_m2=c.length_m * c.thickness_m,
+        air_density_kg_m3=request.constants.rho_a_kg_m3,
+        sound_speed_m_s=request.constants.c_a_m_s,
+    )
+
+
+def _cycle_bounds(report: MeasureReport, march: March, samples: int, sample_s: float) -> tuple[int, int, bool]:
+    """First and last sample of the cycle to store, moved to the last whole one that can be read back."""
+    if report.cycle_bounds is None:
+        return max(samples - round(UNREPEATED_S / sample_s), march.oldest_sample), samples, False
+    first, last = report.cycle_bounds
+    if first >= march.oldest_sample:
+        return first, last, True
+    return max(samples - (last - first), march.oldest_sample), samples, True
+
+
+def _provenance(march: March, sample_s: float, kernel_seconds: float) -> Provenance:
+    return Provenance(
+        model_version=MODEL_VERSION,
+        code_version=CODE_VERSION,
+        numba_version=version("numba"),
+        numpy_version=np.__version__,
+        created=datetime.now(UTC).isoformat(timespec="seconds"),
+        time_step_s=march.time_step_s,
+        sample_rate_hz=1.0 / sample_s,
+        kernel_seconds=kernel_seconds,
+    )
