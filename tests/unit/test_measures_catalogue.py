@@ -107,6 +107,9 @@ def test_a_voice_without_recognisable_cycles_keeps_its_level():
     report = measure_all(signals_from(10 * MM2 * triangle(np.interp(T, starts, np.arange(400)), 0.5, 1.5)))
     assert report.state == "irregular"
     assert report.measures["spl_30cm_db"].value is not None
+    assert report.measures["fo_hz"].value is None
+    assert "No sequence of cycles" in report.measures["fo_hz"].reason
+    assert report.cycles == 0
 
 
 def test_posture_is_passed_on_in_the_units_of_the_table():

@@ -55,7 +55,7 @@ def test_a_slow_return_passes_the_low_pass_unchanged():
     assert flow_measures(flow, 60.0)["mfdr_l_s2"].value == pytest.approx(0.1 * 60 / pulse.peak_flow, rel=0.02)
 
 
-@pytest.mark.parametrize("fo_hz", RATES)
+@pytest.mark.parametrize("fo_hz", [61.0, 97.0, 151.0])  # half a cycle is left over in half a second
 def test_mean_flow_is_taken_over_whole_cycles(fo_hz):
     phase = np.mod(steady_phase(T, fo_hz), 1.0)
     flow = 300 * ML * np.where(phase < 0.4, 2.5, 0.0)

@@ -22,7 +22,7 @@ import math
 from functools import lru_cache
 
 from vfcore.kernels import contact, flow, membrane
-from vfcore.kernels.jit import jit
+from vfcore.kernels.jit import compile_columns, jit
 from vfcore.kernels.layout import FIRST, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
@@ -167,4 +167,5 @@ def step_kernel(nx: int, ny: int, rotation: bool):
                 buf[VB + i] = v
                 buf[WB + i] += dt * v
 
+    compile_columns(advance, "void(f8[::1], f8[::1], f8[::1], i8, f8[:, ::1])", ny)
     return advance

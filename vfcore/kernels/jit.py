@@ -5,15 +5,13 @@
 - ``fastmath``: contraction, reassociation, reciprocals and signed zeros are free. ``nnan``
   and ``ninf`` are left out on purpose: with them ``isnan`` may be optimised away, and a
   diverging run would go unnoticed.
-- The step's rows must be unrolled before its columns can be vectorised; LLVM's default budget
-  stops short of that. The three code-generation options below cost other functions nothing
-  that could be measured and make the step three times faster (benchmarks/).
 - Cache: numba's own stamp looks at one file only, and is stale when a function called from
   another file changes. So the cache directory is named by a hash of all kernel sources.
 """
 
 import hashlib
 import os
+import threading
 from pathlib import Path
 
 import platformdirs
@@ -35,17 +33,9 @@ def _source_hash() -> str:
 os.environ.setdefault("NUMBA_CACHE_DIR", str(data_directory() / "kernels" / _source_hash()))
 
 import llvmlite.binding as llvm  # noqa: E402
-
-CODE_GENERATION = (
-    "-unroll-threshold=2500",  # rows of the column loop
-    "-force-vector-width=4",  # 256-bit: layout.VECTOR
-    "-force-vector-interleave=1",
-    "-prefer-predicate-over-epilogue=predicate-else-scalar-epilogue",  # no scalar rest columns
-)
-for _option in CODE_GENERATION:
-    llvm.set_option("vocalis", _option)
-
 import numba  # noqa: E402  (the cache directory must be set first)
+
+NO_JIT = bool(numba.config.DISABLE_JIT)
 
 FASTMATH = {"contract", "reassoc", "arcp", "nsz"}
 
@@ -55,6 +45,32 @@ def jit(function):
     return numba.njit(nogil=True, cache=True, error_model="numpy", fastmath=FASTMATH)(function)
 
 
-def compiled(function) -> bool:
-    """Whether a jitted function has machine code for at least one signature already."""
-    return bool(getattr(function, "signatures", True))
+# A column loop (kernels/fold.py) is vectorised over x only after its rows are unrolled, which
+# LLVM's default budget does not allow; it then runs three times faster (benchmarks/). LLVM takes
+# these options process-wide only, so they are set for one compilation and put back.
+_UNROLL_DEFAULT = 300
+_COLUMN_CODE = {
+    "-unroll-threshold": (2500, _UNROLL_DEFAULT),
+    "-force-vector-width": (4, 0),  # 256 bits, layout.VECTOR: wider was slower
+    "-force-vector-interleave": (1, 0),
+}
+#: More rows than this exceed the unroll budget; the loop then stays scalar.
+MOST_UNROLLED_ROWS = 40
+_compiling = threading.Lock()
+
+
+def compile_columns(dispatcher, signature, rows: int) -> None:
+    """Compile a jitted column loop over ``rows`` rows for one signature (or load it from the cache)."""
+    if NO_JIT:
+        return
+    with _compiling:
+        wanted = rows <= MOST_UNROLLED_ROWS
+        try:
+            for option, (value, _) in _COLUMN_CODE.items():
+                if wanted:
+                    llvm.set_option("vocalis", f"{option}={value}")
+            dispatcher.compile(signature)
+        finally:
+            for option, (_, value) in _COLUMN_CODE.items():
+                if wanted:
+                    llvm.set_option("vocalis", f"{option}={value}")

@@ -23,7 +23,7 @@ def pressure_max_pa(pressure_pa: np.ndarray, cycles: Cycles) -> float:
 def location(pressure_pa: np.ndarray, location_x_over_l: np.ndarray, cycles: Cycles) -> float | Missing:
     """Mean over cycles, those with contact, of x/L of the largest contact pressure."""
     places = location_x_over_l[cycles.where_largest(pressure_pa)].astype(np.float64)
-    places = places[(cycles.largest(pressure_pa) > 0.0) & np.isfinite(places)]
+    places = places[np.isfinite(places)]
     return float(places.mean()) if len(places) else Missing("The folds never touch, so the contact has no place.")
 
 

@@ -29,9 +29,8 @@ MIN_RELATIVE_SWING = 0.05
 # any in the tissue (milliseconds to tens of milliseconds) unless the posture sits on the threshold itself. Asking for
 # three steps in a row spares irregular voices, whose swing wanders, and waves that have merely come down to a plateau.
 STEADY_RATIO = 0.93
-# A quarter with less than half the swing of another holds part of an onset or an end: averages would mix both. Where a
-# pattern repeats, the same is asked of every single pattern.
-MIN_SWING_RATIO = 0.5
+# A quarter with less than half the swing of another holds part of an onset or an end: averages would mix both.
+MIN_QUARTER_RATIO = 0.5
 # The same for stretches of 50 ms, one cycle of the slowest pattern. Irregular voices may vary much within so short a
 # time, so only near silence counts.
 STRETCH_S = 1.0 / LOWEST_RATE_HZ
@@ -92,8 +91,7 @@ def judge_phonation(area_m2: np.ndarray, sample_rate_hz: float) -> Phonation:
             peak = correlation.near(peak.lag, 0.02 * peak.lag + 1.0)
             cycle, count = _cycle_in_pattern(peak, peaks)
             if count == 1 or (count <= MAX_CYCLES_PER_PATTERN and _repeats_later(correlation, peak)):
-                uneven = _uneven(_swings(area, int(np.ceil(peak.lag)) + 1), MIN_SWING_RATIO)
-                return Phonation("none", uneven) if uneven else _repeating(correlation, peak, cycle, count)
+                return _repeating(correlation, peak, cycle, count)
     return _irregular(correlation, peaks)
 
 
@@ -134,7 +132,7 @@ def _unsteady(area: np.ndarray, stretch: int) -> str | None:
         return _dies_out(swings)
     if np.all(before < STEADY_RATIO * after):
         return _builds_up(swings)
-    return _uneven(swings, MIN_SWING_RATIO) or _uneven(_swings(area, stretch), MIN_STRETCH_RATIO)
+    return _uneven(swings, MIN_QUARTER_RATIO) or _uneven(_swings(area, stretch), MIN_STRETCH_RATIO)
 
 
 def _uneven(swings: np.ndarray, smallest_ratio: float) -> str | None:

@@ -65,6 +65,11 @@ class PosturingConstants(JointConstants):
                 f"below x_CAJ_m = {self.x_CAJ_m:g} m",
             )
 
+    def value(self, name: str) -> float:
+        """The constant ``name`` of this set (a key of ``constant_names``)."""
+        key, field_name = _PLACES[name]
+        return getattr(self if key is None else getattr(self, key), field_name)
+
     def override(self, name: str, value: float) -> "PosturingConstants":
         """This set with the constant ``name`` (see ``constant_names``) replaced by ``value``."""
         return self.override_all({name: value})
