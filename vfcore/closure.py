@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 
 CLOSED_GAP_M = 5e-5  # full gap; 0.05 mm is below what a laryngoscope shows
-SHORTEST_REGION = 0.08  # of the length
+SHORTEST_REGION = 0.15  # of the length; near the commissure the folds always touch
 
 PATTERNS = ("complete", "posterior_opening", "anterior_opening", "hourglass", "spindle", "open")
 

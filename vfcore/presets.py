@@ -35,7 +35,7 @@ PRESETS = (
     Preset(
         "bowed", "Bowed: anterior opening",
         "Without TA the folds are not bulged: they meet at the back and stay apart in front.",
-        _muscles(0.8, 0.8, 0.0, 0.1, 0.0),
+        _muscles(1.0, 1.0, 0.0, 0.1, 0.0),
     ),
     Preset(
         "high_pitch", "High pitch by CT",

@@ -34,10 +34,12 @@ def test_a_glottis_that_never_closes_can_be_periodic(fo_hz):
 
 
 @pytest.mark.parametrize("fo_hz", RATES)
-@pytest.mark.parametrize(("place", "height"), [(0.3, 0.5), (0.4, 0.5), (0.4, 0.9), (0.5, 0.2)])
-def test_two_bumps_in_a_cycle_are_one_cycle(fo_hz, place, height):
+@pytest.mark.parametrize(("place", "height", "width"), [
+    (0.3, 0.5, 0.3), (0.4, 0.5, 0.3), (0.4, 0.9, 0.3), (0.5, 0.2, 0.3), (0.4, 1.0, 0.12),
+])  # fmt: skip
+def test_two_bumps_in_a_cycle_are_one_cycle(fo_hz, place, height, width):
     phase = steady_phase(T, fo_hz)
-    result = report(10 * MM2 * (triangle(phase, 0.7, 1.5) + height * triangle(phase - place, 0.7, 1.5)))
+    result = report(10 * MM2 * (triangle(phase, 1 - width, 1.5) + height * triangle(phase - place, 1 - width, 1.5)))
     assert result.state == "periodic"
     assert result.measures["fo_hz"].value == pytest.approx(fo_hz, rel=1e-4)
 
@@ -53,11 +55,11 @@ def test_alternating_cycles_are_subharmonic_with_f_o_of_the_whole_pattern(visibl
     assert stop - start == pytest.approx(count * RATE_HZ / visible_hz, abs=0.02 * RATE_HZ / visible_hz)
 
 
-@pytest.mark.parametrize("visible_hz", RATES)
-@pytest.mark.parametrize("shift", [0.06, 0.15])
-def test_alternating_cycle_lengths_are_subharmonic(visible_hz, shift):
-    phase = steady_phase(T, visible_hz)
-    result = report(10 * MM2 * triangle(phase + shift * (np.floor(phase) % 2), 0.6, 1.5))
+@pytest.mark.parametrize("visible_hz", [60.0, 97.3, 149.6, 233.7])
+@pytest.mark.parametrize(("unequal", "closed"), [(0.06, 0.7), (0.09, 0.7), (0.09, 0.9)])
+def test_alternating_cycle_lengths_are_subharmonic(visible_hz, unequal, closed):
+    lengths = np.where(np.arange(600) % 2, 1 + unequal, 1 - unequal) / visible_hz
+    result = report(10 * MM2 * triangle(np.interp(T, np.cumsum(lengths), np.arange(600)), closed, 1.5))
     assert result.state == "subharmonic"
     assert result.measures["fo_hz"].value == pytest.approx(visible_hz / 2, rel=1e-4)
 
@@ -77,7 +79,17 @@ GOLDEN = (3 - np.sqrt(5)) / 2
 def test_a_modulation_at_an_incommensurate_rate_is_irregular(fo_hz, depth, rate):
     result = report(pulses(fo_hz) * (1 + depth * np.sin(2 * np.pi * rate * fo_hz * T)))
     assert result.state == "irregular"
-    assert result.measures["fo_hz"].value == pytest.approx(fo_hz, rel=2e-3)
+    assert result.measures["fo_hz"].value == pytest.approx(fo_hz, rel=2e-4)
+
+
+@pytest.mark.parametrize("offset", np.linspace(0.0, 1.0, 8))
+def test_the_ends_of_the_window_add_no_cycle_to_an_irregular_voice(offset):
+    modulation = 1 + 0.5 * np.sin(2 * np.pi * GOLDEN * 60 * T + 7 * offset)
+    result = report(10 * MM2 * triangle(steady_phase(T, 60.0, offset), 0.5, 1.5) * modulation)
+    assert result.state == "irregular"
+    assert result.cycles <= 29
+    assert result.measures["fo_hz"].value == pytest.approx(60.0, rel=2e-4)
+    assert result.measures["closed_quotient"].value == pytest.approx(0.5005, abs=1e-3)
 
 
 @pytest.mark.parametrize("fo_hz", RATES)
@@ -87,7 +99,8 @@ def test_random_cycle_lengths_are_irregular_and_counted_one_by_one(fo_hz):
     result = report(10 * MM2 * triangle(np.interp(T, starts, np.arange(1200)), 0.5, 1.5))
     assert result.state == "irregular"
     inside = starts[(starts > 0.5) & (starts < 1.0)]
-    assert result.measures["fo_hz"].value == pytest.approx(1 / np.diff(inside).mean(), rel=5e-3)
+    # A cycle or two at the ends may be left out; their lengths move the mean by this much at most.
+    assert result.measures["fo_hz"].value == pytest.approx(1 / np.diff(inside).mean(), rel=0.09 / len(inside) * 3)
 
 
 @pytest.mark.parametrize(("noise", "state"), [(0.01, "periodic"), (0.1, "irregular")])

@@ -66,8 +66,8 @@ def test_every_constant_that_can_be_overridden_moves_some_posture(name):
     metadata, published = constant_names()[name], value(base, name)
     nearby = 1.05 * published if published else 0.01 * metadata["high"]
     changed = base.override(name, nearby if nearby <= metadata["high"] else 0.95 * published)
-    corners = np.array(np.meshgrid(*[[0.0, 1.0]] * 5)).reshape(5, -1).T
-    before, after = (solve_posture_batch(corners, c).unknowns for c in (base, changed))
+    loads = np.array([[0, 0, 0, 0, 0], [1, 0, 1, 1, 0], [0, 1, 0, 0, 1], [1, 1, 1, 1, 1]])
+    before, after = (solve_posture_batch(loads, c).unknowns for c in (base, changed))
     assert np.nanmax(np.abs(after - before)) > 1e-9
 
 

@@ -73,6 +73,11 @@ def _open_side(area: np.ndarray, at: np.ndarray, outward: int, level: np.ndarray
     return np.clip(height / per_sample, 0.0, 1.0)
 
 
+def mean_cycle_length(phases: OpenPhases) -> float:
+    """Mean time from one opening to the next, samples."""
+    return float(np.diff(phases.opens).mean())
+
+
 def closed_quotient(phases: OpenPhases) -> float:
     """Mean fraction of the cycle with the glottis closed; 0 where it never closes."""
     return float(1.0 - phases.open_fraction.mean())

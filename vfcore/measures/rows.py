@@ -32,8 +32,9 @@ HARMONICS = "Hann window over the last half of the run, harmonics read at f_o an
 
 
 def _fo_hz(a: Analysis) -> float:
-    pattern = a.cycles.periods.mean() if a.phonation.state == "irregular" else a.phonation.pattern
-    return float(a.signals.sample_rate_hz / pattern)
+    irregular = a.phonation.state == "irregular"
+    period = glottis.mean_cycle_length(a.open_phases) if irregular else a.phonation.pattern
+    return float(a.signals.sample_rate_hz / period)
 
 
 def _mean_flow_ml_s(a: Analysis) -> float:

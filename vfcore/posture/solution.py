@@ -16,7 +16,7 @@ class PostureSolution:
     slightly negative at full adduction. half_gap_m: distance of the vocal process from the medial plane,
     ξ_02 clipped at 0: half the gap between the processes. xi_m, psi_m, theta_a_rad: lateral and anterior translation
     and inward rotation of the arytenoid. epsilon_t, epsilon_r: strain by cricothyroid translation, rotation.
-    residual: largest of the five residuals over its ``load_scale``. converged: residual below 1e-9.
+    residual: largest of the five residuals over its scale (packing.load_scale), at most 1e-12 when converged.
     """
 
     strain: float
