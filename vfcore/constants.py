@@ -34,11 +34,17 @@ class FoldConstants:
     sigma_1_muc_pa: float = quantity(1000.0, "Pa", "mucosa, linear stress", 0, 1e6, source=_CON, symbol="σ_1,muc")
     sigma_1_lig_pa: float = quantity(500.0, "Pa", "ligament, linear stress", 0, 1e6, source=_CON, symbol="σ_1,lig")
     sigma_1_ta_pa: float = quantity(2000.0, "Pa", "TA, linear stress", 0, 1e6, source=_CON, symbol="σ_1,ta")
-    epsilon_1_muc: float = quantity(-0.5, "1", "mucosa, strain of zero stress", -1, -0.05, source=_CON, symbol="ε_1,muc")
-    epsilon_1_lig: float = quantity(-0.5, "1", "ligament, strain of zero stress", -1, -0.05, source=_CON, symbol="ε_1,lig")
+    epsilon_1_muc: float = quantity(
+        -0.5, "1", "mucosa, strain of zero stress", -1, -0.05, source=_CON, symbol="ε_1,muc"
+    )
+    epsilon_1_lig: float = quantity(
+        -0.5, "1", "ligament, strain of zero stress", -1, -0.05, source=_CON, symbol="ε_1,lig"
+    )
     epsilon_1_ta: float = quantity(-0.5, "1", "TA, strain of zero stress", -1, -0.05, source=_CON, symbol="ε_1,ta")
     sigma_2_muc_pa: float = quantity(1000.0, "Pa", "mucosa, exponential stress", 0, 1e6, source=_CON, symbol="σ_2,muc")
-    sigma_2_lig_pa: float = quantity(1000.0, "Pa", "ligament, exponential stress", 0, 1e6, source=_CON, symbol="σ_2,lig")
+    sigma_2_lig_pa: float = quantity(
+        1000.0, "Pa", "ligament, exponential stress", 0, 1e6, source=_CON, symbol="σ_2,lig"
+    )
     sigma_2_ta_pa: float = quantity(1000.0, "Pa", "TA, exponential stress", 0, 1e6, source=_CON, symbol="σ_2,ta")
     epsilon_2_muc: float = quantity(
         -0.3, "1", "mucosa, strain where the exponential starts", -1, 1, source=_CON, symbol="ε_2,muc"
@@ -55,9 +61,7 @@ class FoldConstants:
     sigma_a_max_ta_pa: float = quantity(
         1e5, "Pa", "TA, largest active stress", 0, 1e6, source=_CON, symbol="σ_a,max,ta"
     )
-    epsilon_m_ta: float = quantity(
-        0.3, "1", "TA, strain of largest active stress", -1, 1, source=_CON, symbol="ε_m,ta"
-    )
+    epsilon_m_ta: float = quantity(0.3, "1", "TA, strain of largest active stress", -1, 1, source=_CON, symbol="ε_m,ta")
     alpha_2_ta: float = quantity(1.0, "1", "TA, width of the active stress", 0, 20, source=_CON, symbol="α_2,ta")
 
     alpha_s: float = quantity(1.3, "1", "flow separation ratio", 1.0, 2.5, source=_AIR, symbol="α_s")

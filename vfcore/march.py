@@ -152,5 +152,3 @@ class March:
 def contact_location(record: np.ndarray, nx: int) -> np.ndarray:
     """x/L of the largest contact pressure at each sample; NaN without contact."""
     return record[:, RECORD.index("contact_column")] / (nx - 1)
-
-

@@ -37,7 +37,7 @@ class Activation:
     )  # fmt: skip
     ia: float = quantity(
         0.8, "1", "interarytenoid (IA)", 0, 1, step=0.01, symbol="a_ia", source=_MUSCLE,
-        help="draws the arytenoids together and closes the back of the glottis",
+        help="draws the arytenoids together; with LCA it closes the back of the glottis",
     )  # fmt: skip
     pca: float = quantity(
         0.0, "1", "posterior cricoarytenoid (PCA)", 0, 1, step=0.01, symbol="a_pca", source=_MUSCLE,
@@ -52,9 +52,7 @@ class Activation:
 class PostureOverride:
     """A posture given directly, without muscles (the posturing equations are skipped)."""
 
-    strain: float = quantity(
-        0.0, "1", "nominal strain", -0.45, 0.6, symbol="ε̄", source="given by the user", step=0.005
-    )
+    strain: float = quantity(0.0, "1", "nominal strain", -0.45, 0.6, symbol="ε̄", source="given by the user", step=0.005)
     glottal_half_angle_rad: float = quantity(
         0.0, "rad", "glottal half-angle", 0, 0.6, symbol="θ_g", source="given by the user", step=0.001
     )
@@ -124,9 +122,7 @@ class Model:
 class Run:
     """How the equations are advanced."""
 
-    duration_s: float = quantity(
-        1.0, "s", "simulated time", 0.02, 60, source=f"{PAPER}, Simulation setup", step=0.1
-    )
+    duration_s: float = quantity(1.0, "s", "simulated time", 0.02, 60, source=f"{PAPER}, Simulation setup", step=0.1)
     nx: int = field(default=20, metadata={})
     ny: int = field(default=10, metadata={})
     time_step_s: float | None = None

@@ -91,7 +91,9 @@ def _constants(overrides, posturing: PosturingConstants) -> tuple[FoldConstants,
             muscles[name] = value
         else:
             raise ParameterError(
-                f"constants.{name}", "is not a constant of the model", "the names listed by `vocalis posture --constants` and by GET /api/v1/parameters"
+                f"constants.{name}",
+                "is not a constant of the model",
+                "the names listed by `vocalis posture --constants` and by GET /api/v1/parameters",
             )
     return FoldConstants(**fold), posturing.override_all(muscles)
 
@@ -123,5 +125,3 @@ def numeric_paths() -> tuple[str, ...]:
     paths += ["run.duration_s", "run.nx", "run.ny", "run.time_step_s", "run.pressure_rise_s"]
     paths += [f"constants.{name}" for name in (*FOLD_NAMES, *constant_names())]
     return tuple(paths)
-
-

@@ -26,9 +26,7 @@ def longest_stable_step_s(fold: Fold) -> float:
     rho = c.membrane_density_kg_m2
     K_coup = float(fold.K_coup_pa_m.max())
     shear = 4.0 / fold.dy**2
-    omega2 = (
-        4.0 * c.membrane_tension_n_m / fold.dx**2 + shear * c.membrane_shear_n_m + K_coup + k.K_col_pa_m
-    ) / rho
+    omega2 = (4.0 * c.membrane_tension_n_m / fold.dx**2 + shear * c.membrane_shear_n_m + K_coup + k.K_col_pa_m) / rho
     rate = (shear * c.membrane_shear_viscosity_n_s_m + k.C_coup_pa_s_m + k.C_col_pa_s_m) / rho
     rate += k.C_coup_pa_s_m * c.thickness_m / c.beam_density_kg_m
     omega2 += K_coup * c.thickness_m / c.beam_density_kg_m

@@ -1,15 +1,15 @@
 """Forces on the mucosa per unit area (paper, eq. MembraneEqn), second-order stencils.
 
-    tension    T̃_m ∂_xx w       →  T̃_m/dx² (w_{i−1} − 2 w_i + w_{i+1})
-    coupling   K_coup(y)(w_m − w_b) + C_coup(ẇ_m − ẇ_b)
+tension    T̃_m ∂_xx w       →  T̃_m/dx² (w_{i−1} − 2 w_i + w_{i+1})
+coupling   K_coup(y)(w_m − w_b) + C_coup(ẇ_m − ẇ_b)
 
-    shear, ``kelvin_voigt``: ∂_y(G̃ ∂_y w + η̃ ∂_y ẇ); flux on half nodes j+½,
+shear, ``kelvin_voigt``: ∂_y(G̃ ∂_y w + η̃ ∂_y ẇ); flux on half nodes j+½,
 
-        F_{j+½} = (G̃/dy)(w_{j+1} − w_j) + (η̃/dy)(ẇ_{j+1} − ẇ_j)
-        shear_j = (F_{j+½} − F_{j−½})/dy        edges (no flux): 2 F/dy, a half cell of width dy/2
+    F_{j+½} = (G̃/dy)(w_{j+1} − w_j) + (η̃/dy)(ẇ_{j+1} − ẇ_j)
+    shear_j = (F_{j+½} − F_{j−½})/dy        edges (no flux): 2 F/dy, a half cell of width dy/2
 
-    shear, ``rotation``: the same with ∂_y w − φ in place of ∂_y w; φ lives on the half nodes and
-    obeys  J_m φ̈ = G_m(∂_y w − φ) + η_m(∂_y ẇ − φ̇)   [eq. RotationMembrane].
+shear, ``rotation``: the same with ∂_y w − φ in place of ∂_y w; φ lives on the half nodes and
+obeys  J_m φ̈ = G_m(∂_y w − φ) + η_m(∂_y ẇ − φ̇)   [eq. RotationMembrane].
 """
 
 from vfcore.kernels.jit import jit
