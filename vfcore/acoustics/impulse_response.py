@@ -48,13 +48,13 @@ class Radiated(NamedTuple):
     far_pressure_pa: np.ndarray
 
 
-def response_length(tract: Tract, left_out_energy: float = LEFT_OUT_ENERGY) -> int:
-    """Steps after which the slowest resonance has ``left_out_energy`` of its energy left.
+def response_length(tract: Tract) -> int:
+    """Steps after which the slowest resonance has LEFT_OUT_ENERGY of its energy left.
 
     ParameterError when the tract hardly loses energy (no attenuation and an open end).
     """
     decay = -2 * math.log(np.abs(poles(tract)).max())  # of energy, per step
-    steps = math.log(1 / left_out_energy) / decay if decay > 0 else math.inf
+    steps = math.log(1 / LEFT_OUT_ENERGY) / decay if decay > 0 else math.inf
     if steps > LONGEST_RESPONSE:
         raise ParameterError("tract", "the tract rings without end", "attenuation above 0, or piston radiation")
     return len(tract.areas_m2) + math.ceil(steps)

@@ -138,15 +138,13 @@ def _even_marks(area: np.ndarray, period: float) -> np.ndarray:
 
 
 def _middle_of_longest_run(flags: np.ndarray) -> float:
-    """Middle of the longest run of True, the array taken as one turn of a circle."""
-    n = len(flags)
-    if flags.all():
-        return 0.5 * n
-    turned = np.roll(flags, -int(np.argmin(flags)))
+    """Middle of the longest run of True, the array (not all True) taken as one turn of a circle."""
+    first_open = int(np.argmin(flags))
+    turned = np.roll(flags, -first_open)
     steps = np.diff(np.concatenate(([False], turned, [False])).astype(np.int8))
     begins, ends = np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)
     k = int(np.argmax(ends - begins))
-    return (0.5 * (begins[k] + ends[k] - 1) + int(np.argmin(flags))) % n
+    return (0.5 * (begins[k] + ends[k] - 1) + first_open) % len(flags)
 
 
 def _followed_marks(area: np.ndarray, phonation: Phonation) -> np.ndarray:
