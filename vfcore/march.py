@@ -37,6 +37,7 @@ class March:
         self.pressure_pa, self.rise_s = pressure_pa, rise_s
         self.record_every = max(1, math.floor(DEFAULT_STEP_S / time_step_s + 1e-9))
         self.buffer = assemble.new_buffer(fold, time_step_s)
+        self._w = assemble.membrane(self.buffer, fold)
         self.scalars = assemble.scalars(fold, time_step_s)
         self.steps = 0
         self._advance = step_kernel(fold.nx, fold.ny, fold.rotation)
@@ -87,8 +88,8 @@ class March:
         steps = np.arange(self.steps, self.steps + len(record) * self.record_every)
         self._advance(self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record)
         self.steps += len(steps)
-        w = assemble.membrane(self.buffer, self.fold)
-        if not np.abs(w).max() < LARGEST_DISPLACEMENT_M:
+        w = self._w
+        if not (w.max() < LARGEST_DISPLACEMENT_M and w.min() > -LARGEST_DISPLACEMENT_M):  # false for NaN
             self._locate_divergence(before, steps)
 
     def _locate_divergence(self, buffer: np.ndarray, steps: np.ndarray) -> None:
@@ -118,6 +119,8 @@ class March:
         wanted = np.round(wanted).astype(int)
         at, buffer = next(item for item in reversed(self._checkpoints) if item[0] <= wanted[0])
         buffer = buffer.copy()
+        w, v, dv = (assemble.membrane(buffer, fold, name) for name in ("w", "v", "dv"))
+        beam = assemble.beam(buffer, fold)
         shape = (phases, fold.ny, fold.nx)
         w_m, p_aero, p_col = np.empty(shape), np.empty(shape), np.empty(shape)
         w_b = np.empty((phases, fold.nx))
@@ -127,9 +130,8 @@ class March:
                 steps = np.arange(at, step)
                 self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch)
                 at = step
-            w_m[phase] = assemble.membrane(buffer, fold)
-            w_b[phase] = assemble.beam(buffer, fold)
-            velocity = assemble.membrane(buffer, fold, "v") + 0.5 * assemble.membrane(buffer, fold, "dv")
+            w_m[phase], w_b[phase] = w, beam
+            velocity = v + 0.5 * dv  # as the step extrapolates it
             surface_pressures(
                 w_m[phase], velocity, fold.medial_plane_m, self.pressure_at(np.array([step]))[0], fold.dy,
                 k.alpha_s, 0.5 * k.rho_a_kg_m3, 12.0 * k.mu_a_pa_s, k.K_col_pa_m, k.C_col_pa_s_m,

@@ -6,7 +6,8 @@
   and ``ninf`` are left out on purpose: with them ``isnan`` may be optimised away, and a
   diverging run would go unnoticed.
 - Cache: numba's own stamp looks at one file only, and is stale when a function called from
-  another file changes. So the cache directory is named by a hash of all kernel sources.
+  another file changes. So the cache directory is named by a hash of all kernel sources, and of
+  NUMBA_BOUNDSCHECK, which numba's key leaves out: a checked run would load unchecked code.
 """
 
 import hashlib
@@ -23,7 +24,7 @@ def data_directory() -> Path:
 
 
 def _source_hash() -> str:
-    digest = hashlib.sha256()
+    digest = hashlib.sha256(os.environ.get("NUMBA_BOUNDSCHECK", "").encode())
     for path in sorted(Path(__file__).parent.glob("*.py")):
         digest.update(path.name.encode())
         digest.update(path.read_bytes())
@@ -53,6 +54,7 @@ _COLUMN_CODE = {
     "-unroll-threshold": (2500, _UNROLL_DEFAULT),
     "-force-vector-width": (4, 0),  # 256 bits, layout.VECTOR: wider was slower
     "-force-vector-interleave": (1, 0),
+    "-prefer-predicate-over-epilogue": ("predicate-else-scalar-epilogue", "scalar-epilogue"),  # no rest columns
 }
 #: More rows than this exceed the unroll budget; the loop then stays scalar.
 MOST_UNROLLED_ROWS = 40
