@@ -60,6 +60,12 @@ def time_step_s(run: Run, fold: Fold) -> float:
         raise StabilityError(
             "run.time_step_s",
             f"{run.time_step_s:.4g} s would grow without bound on the {fold.nx}×{fold.ny} grid at this posture",
-            f"up to {limit:.3g} s here; null lets Vocalis choose; a coarser grid in y allows a longer step",
+            f"up to {_rounded_down(limit):.3g} s here; null lets Vocalis choose; a coarser grid in y allows a longer step",
         )
     return float(run.time_step_s)
+
+
+def _rounded_down(value: float) -> float:
+    """``value`` to three digits, never above it: the step a refusal names must itself be accepted."""
+    digit = 10.0 ** (math.floor(math.log10(value)) - 2)
+    return math.floor(value / digit) * digit

@@ -70,7 +70,9 @@ def _open_side(area: np.ndarray, at: np.ndarray, outward: int, level: np.ndarray
     interpolate = (closed - beyond > FLANK * (value - closed)) | (slope >= 0.0)
     root = np.sqrt(np.maximum(slope**2 - 4.0 * curve * height, 0.0))
     per_sample = np.where(interpolate, value - closed, 0.5 * (root - slope))
-    return np.clip(height / per_sample, 0.0, 1.0)
+    # A plateau right at the level has no slope: the crossing is the sample itself.
+    share = np.divide(height, per_sample, out=np.zeros_like(height), where=per_sample > 0.0)
+    return np.clip(share, 0.0, 1.0)
 
 
 def mean_cycle_length(phases: OpenPhases) -> float:

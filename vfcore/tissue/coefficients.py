@@ -50,7 +50,7 @@ def coefficients(strain: float, a_ta: float, c: FoldConstants) -> Coefficients:
     """Coefficients at nominal strain ε̄ and TA activation.
 
     Raises ParameterError where the prestrained fold has no stiffness left (the equations
-    then mean nothing): a negative tension or bending stiffness.
+    then mean nothing): membrane tension, axial or bending stiffness of the beam not above 0.
     """
     lam = 1.0 + strain
     root = lam**0.5
@@ -66,6 +66,7 @@ def coefficients(strain: float, a_ta: float, c: FoldConstants) -> Coefficients:
 
     depth = d_ta + d_lig
     EA_lig, EA_ta = lig.slope_pa * A_lig, E_ta * A_ta
+    _refuse_slack("the beam's axial stiffness in N", EA_lig + EA_ta, strain)
     alpha_lig = -depth * EA_ta / (2 * (EA_lig + EA_ta))
     alpha_ta = depth * EA_lig / (2 * (EA_lig + EA_ta))
     r_ta, r_lig = d_ta / 2, d_ta + d_lig / 2
@@ -98,16 +99,15 @@ def coefficients(strain: float, a_ta: float, c: FoldConstants) -> Coefficients:
         E_lig_pa=lig.slope_pa,
         E_ta_pa=E_ta,
     )
-    _refuse_slack(found, strain)
+    for name in ("membrane_tension_n_m", "bending_stiffness_n_m2"):
+        _refuse_slack(name, getattr(found, name), strain)
     return found
 
 
-def _refuse_slack(found: Coefficients, strain: float) -> None:
-    for name in ("membrane_tension_n_m", "bending_stiffness_n_m2"):
-        value = getattr(found, name)
-        if not value > 0:
-            raise ParameterError(
-                "constants",
-                f"{name} = {value:.3g} at strain {strain:.3f}: the fold has no stiffness left",
-                "constants and postures that keep it positive",
-            )
+def _refuse_slack(name: str, value: float, strain: float) -> None:
+    if not value > 0:
+        raise ParameterError(
+            "constants",
+            f"{name} = {value:.3g} at strain {strain:.3f}: the fold has no stiffness left",
+            "constants and postures that keep it positive",
+        )

@@ -1,0 +1,80 @@
+# Vocalis: `make` lists what there is. Needs make and Python 3.11 or newer; everything else is fetched into .venv.
+
+PYTHON ?= python3
+HOST ?= 127.0.0.1
+PORT ?= 8000
+
+VENV := .venv
+BIN := $(VENV)/bin
+# Pip's own remarks about the machine it runs on are not about Vocalis; errors still show.
+PIP := $(BIN)/python -m pip install --quiet --quiet --disable-pip-version-check
+# Checked code must not come from a cache of unchecked code.
+CHECKED_DATA := $(CURDIR)/.pytest_cache/vocalis-boundscheck
+
+.DEFAULT_GOAL := help
+.PHONY: help run modal test lint test-all test-interpreted test-boundscheck bench clean
+
+help:
+	@echo "make run     the modal voice: its measures as a table, its sound as a file"
+	@echo "make test    every check"
+	@echo "make bench   how fast Vocalis is on this machine"
+	@echo "make clean   remove .venv, caches and out/"
+	@echo "Variables: PYTHON=$(PYTHON)"
+
+run: modal
+
+modal: $(VENV)/.installed
+	@mkdir -p out
+	@echo "The modal voice of the paper, 1 s. The first run compiles its kernels, which takes some seconds."
+	@$(BIN)/vocalis simulate --preset modal --wav out/modal.wav
+	@echo "Listen to it: $(CURDIR)/out/modal.wav"
+
+bench: $(VENV)/.installed
+	@$(BIN)/vocalis bench
+
+test: lint test-all test-interpreted test-boundscheck
+
+lint: $(VENV)/.tested
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+test-all: $(VENV)/.tested chromium
+	$(BIN)/python -m pytest -q -n 2 -m "not slow"
+
+# The kernels as plain Python, and with every index checked.
+test-interpreted: $(VENV)/.tested
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -q -m kernel tests/physics
+
+test-boundscheck: $(VENV)/.tested
+	NUMBA_BOUNDSCHECK=1 VOCALIS_DATA="$(CHECKED_DATA)" $(BIN)/python -m pytest -q -m kernel tests/physics
+
+# The browser of the page's tests: the system's, or Debian's where we may install it.
+.PHONY: chromium
+chromium:
+	@if ! command -v chromium >/dev/null && ! command -v chromium-browser >/dev/null && ! command -v google-chrome >/dev/null; then \
+		if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+			echo "Installing Chromium for the browser tests"; \
+			apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium >/dev/null; \
+		else \
+			echo "The browser tests need Chromium; install it with your system's package manager." >&2; exit 1; \
+		fi; \
+	fi
+
+$(VENV)/.created:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+		|| { echo "Vocalis needs Python 3.11 or newer; name it: make PYTHON=python3.12" >&2; exit 1; }
+	@$(PYTHON) -m venv $(VENV)
+	@touch $@
+
+$(VENV)/.installed: pyproject.toml | $(VENV)/.created
+	@echo "Installing Vocalis and what it needs into $(VENV) (once; some minutes on a slow line)"
+	@$(PIP) -e .
+	@touch $@
+
+$(VENV)/.tested: pyproject.toml | $(VENV)/.created
+	@echo "Installing Vocalis and what its tests need into $(VENV)"
+	@$(PIP) -e '.[test]'
+	@touch $(VENV)/.installed $@
+
+clean:
+	rm -rf $(VENV) out build dist *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks

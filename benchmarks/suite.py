@@ -1,0 +1,151 @@
+"""All benchmarks of the modal case on the default grid, as rows of one table."""
+
+import os
+import platform
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from vfcore.files.netcdf import write_netcdf
+from vfcore.kernels.layout import Layout
+from vfcore.march import March
+from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, Simulation
+from vfcore.posture.equilibrium import solve_posture, solve_posture_batch
+from vfcore.simulate import prepare, simulate
+from vfcore.statics import static_shape_of
+from vocalis_bench import machine, processes, reference
+from vocalis_bench.count import count_step
+from vocalis_bench.rounds import interleaved
+
+BATCH = 1000
+STORED_TARGET_S = 0.08  # request to stored result of 1 s of voice
+
+
+class Row(NamedTuple):
+    """One number of the table; ``target``: at most this, in the same unit."""
+
+    key: str
+    label: str
+    value: float
+    unit: str
+    target: float | None = None
+
+
+def run(rounds: int, fresh_processes: bool = True, progress: Callable[[str], None] = lambda what: None) -> list[Row]:
+    """Every row; ``progress`` is told what is being measured. ``fresh_processes``: memory, start-up, counts too."""
+    progress(f"timing, {rounds} rounds")
+    with tempfile.TemporaryDirectory() as folder:
+        rows = list(_timings(interleaved(_tasks(Path(folder) / "result.nc"), rounds)))
+    if fresh_processes:
+        progress("memory of a run")
+        rows += _memory()
+        progress("compiling from nothing")
+        rows += _start_up()
+        progress("counting operations")
+        seconds = next(row.value for row in rows if row.key == "kernel_s")
+        peaks = {row.key: row.value for row in rows}
+        rows += _efficiency(seconds, peaks["peak_gflop_s"], peaks["l1_gb_s"])
+    return rows
+
+
+def machine_description() -> dict[str, str | int | None]:
+    """Where the numbers were taken."""
+    return {
+        "machine": platform.machine(),
+        "processor": _processor(),
+        "cores": os.cpu_count(),
+        "system": platform.platform(),
+        "python": platform.python_version(),
+    }
+
+
+def _tasks(stored: Path) -> dict[str, Callable[[], object]]:
+    request = Simulation()
+    fold = prepare(request).fold
+    activations = np.random.default_rng(1).random((BATCH, 5))
+
+    def kernel(step_s: float) -> Callable[[], object]:
+        def march():
+            moving = March(fold, step_s, request.subglottal_pressure_pa)
+            moving.start_flat()
+            return moving.run(round(1.0 / (step_s * moving.record_every)))
+
+        return march
+
+    return {
+        "posture": lambda: solve_posture(request.activation, request.posturing),
+        "postures": lambda: solve_posture_batch(activations, request.posturing),
+        "static": lambda: static_shape_of(fold),
+        "prepare": lambda: prepare(request),
+        "kernel": kernel(DEFAULT_STEP_S),
+        "kernel_paper_step": kernel(PAPER_STEP_S),
+        "reference": lambda: reference.plain_run(fold, request.subglottal_pressure_pa, 1.0),
+        "result": lambda: simulate(request),
+        "stored": lambda: write_netcdf(simulate(request), stored),
+        "peak": machine.peak_task()[0],
+        "l1": machine.cache_task()[0],
+    }
+
+
+def _timings(seconds: dict[str, float]) -> Iterator[Row]:
+    yield Row("posture_us", "posture: muscles → strain and angle, one call", seconds["posture"] * 1e6, "µs")
+    yield Row("posture_batch_us", f"posture, each of a batch of {BATCH}", seconds["postures"] / BATCH * 1e6, "µs")
+    yield Row("static_ms", "static shape with contact", seconds["static"] * 1e3, "ms")
+    yield Row("prepare_ms", "request → posture, coefficients, static shape", seconds["prepare"] * 1e3, "ms")
+    yield Row("kernel_s", f"kernel, 1 s of voice, step {DEFAULT_STEP_S * 1e6:.2f} µs", seconds["kernel"], "s")
+    yield Row(
+        "kernel_paper_step_s", f"kernel, 1 s of voice, the paper's step {PAPER_STEP_S * 1e6:.4f} µs",
+        seconds["kernel_paper_step"], "s",
+    )  # fmt: skip
+    yield Row(
+        "reference_s", f"plain compiled loop, 1 s of voice, step {reference.STEP_S * 1e6:.2f} µs",
+        seconds["reference"], "s",
+    )  # fmt: skip
+    yield Row("reference_ratio", "plain loop / kernel", seconds["reference"] / seconds["kernel"], "×")
+    yield Row("result_s", "request → result, 1 s of voice", seconds["result"], "s")
+    yield Row("stored_s", "request → stored netCDF, 1 s of voice", seconds["stored"], "s", STORED_TARGET_S)
+    yield Row("peak_gflop_s", "this core: multiply-adds", machine.peak_task()[1] / seconds["peak"] * 1e-9, "Gflop/s")
+    yield Row("l1_gb_s", "this core: L1 bandwidth", machine.cache_task()[1] / seconds["l1"] * 1e-9, "GB/s")
+
+
+def _memory() -> Iterator[Row]:
+    seen = processes.memory()
+    if seen is None:
+        return
+    yield Row("memory_mb", "resident memory while simulating 1 s, peak", seen["after_bytes"] * 1e-6, "MB")
+    grown = seen["after_bytes"] - seen["before_bytes"]
+    yield Row("memory_run_mb", "  of it by that run", grown * 1e-6, "MB")
+
+
+def _start_up() -> Iterator[Row]:
+    cold, warm = processes.first_results()
+    yield Row("load_s", "import vfcore", warm["load_s"], "s")
+    yield Row("first_cold_s", "first result, kernels compiled", cold["first_result_s"], "s")
+    yield Row("first_warm_s", "first result, kernels from the cache", warm["first_result_s"], "s")
+
+
+def _efficiency(kernel_s: float, peak_gflop_s: float, l1_gb_s: float) -> Iterator[Row]:
+    grid = Simulation().run
+    counted = count_step(grid.nx, grid.ny)
+    per_step_s = kernel_s * DEFAULT_STEP_S
+    gflop_s = counted["arithmetic"] / per_step_s * 1e-9
+    gb_s = counted["accesses"] * 8 / per_step_s * 1e-9
+    yield Row("step_us", "one step of the kernel", per_step_s * 1e6, "µs")
+    yield Row("operations", "arithmetic operations a step, as written", counted["arithmetic"], "flop")
+    yield Row("bytes", "bytes read and written a step, as written", counted["accesses"] * 8, "B")
+    yield Row("state_bytes", "the buffer of a fold", Layout(grid.nx, grid.ny).size * 8, "B")
+    yield Row("gflop_s", "kernel: arithmetic", gflop_s, "Gflop/s")
+    yield Row("of_peak", "  of this core's multiply-adds", 100 * gflop_s / peak_gflop_s, "%")
+    yield Row("gb_s", "kernel: memory as written", gb_s, "GB/s")
+    yield Row("of_l1", "  of this core's L1 bandwidth", 100 * gb_s / l1_gb_s, "%")
+
+
+def _processor() -> str | None:
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return platform.processor() or None
+    return next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), None)

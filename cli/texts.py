@@ -1,0 +1,36 @@
+"""What `vocalis --help` says before any physics is loaded."""
+
+PURPOSE = (
+    "Five laryngeal muscles → posture of the vocal folds → vibration → flow → sound. "
+    "All of it runs here; no server is needed."
+)
+
+COMMANDS = {
+    "posture": "Where five muscle activations put the folds: strain, glottal angle, tension.",
+    "static": "The shape of the folds at that posture without air pressure, and how they close.",
+    "simulate": "Let them vibrate: measures, waveforms, sound.",
+    "serve": "The dashboard and the HTTP API on this machine.",
+    "bench": "How fast it all runs on this machine.",
+}
+
+EPILOG = """
+**The muscles**, each from 0 (relaxed) to 1 (full), with the modal voice as default:
+
+- `--ta` thyroarytenoid: shortens the folds and bulges them medially
+- `--ct` cricothyroid: lengthens and tenses them, the pitch muscle
+- `--lca` lateral cricoarytenoid: turns the vocal processes inward
+- `--ia` interarytenoid: closes the back of the glottis
+- `--pca` posterior cricoarytenoid: the only opener
+
+**Units** are SI: pressure in Pa (98 Pa = 1 cmH₂O), angles in rad, times in s.
+
+**Examples**
+
+- `vocalis posture --ct 0.8` — how much CT lengthens the folds
+- `vocalis static --ta 0.6` — where they touch before any air flows
+- `vocalis simulate --preset breathy --wav breathy.wav` — hear it
+- `vocalis simulate --pressure 800 --vowel i --json > result.json` — every measure, for a script
+- `vocalis simulate --set constants.K_col_pa_m=2e6` — any constant of the model
+
+Exit codes: 0 done, 1 the model has no answer there, 2 the input cannot be used.
+"""

@@ -1,0 +1,92 @@
+"""Energy without air and contact: kept without dampers, lost exactly as the dampers dissipate it."""
+
+import numpy as np
+import pytest
+from scipy.linalg import eigh
+
+from tests.support.fold_harness import (
+    NO_DAMPERS,
+    SHEARS,
+    WIDE_OPEN,
+    advance,
+    get_state,
+    half_step_back,
+    product_and_twin,
+    put_state,
+)
+from vfcore.march import March
+from vfcore.params import DEFAULT_STEP_S
+
+
+def plucked(twin, count=12, size=1e-5):
+    """The equilibrium plus ``size`` of each of the ``count`` lowest modes, at rest."""
+    system = twin.linear_operators()
+    shapes = eigh(system.K, system.M)[1][:, :count]
+    displacements = np.abs(shapes[: twin.n * (twin.ny + 1)]).max(axis=0)
+    q = np.linalg.solve(system.K, system.load) + (size * shapes / displacements).sum(axis=1)
+    return twin.unpack(q, 0.0 * q)
+
+
+def states_of(fold, twin, start, dt, steps):
+    """States (q, v) at whole steps: velocity as the mean of the two half steps around."""
+    march = March(fold, dt, 0.0)
+    put_state(march, half_step_back(twin, start, dt))
+    before = get_state(march)
+    for _ in range(steps):
+        advance(march, 1)
+        after = get_state(march)
+        yield before._replace(
+            v_m=(before.v_m + after.v_m) / 2, v_b=(before.v_b + after.v_b) / 2, v_phi=(before.v_phi + after.v_phi) / 2
+        )
+        before = after
+
+
+def energies(twin, states):
+    """Kinetic plus elastic energy above the equilibrium, J, at each state."""
+    system = twin.linear_operators()
+    rest, mass = np.linalg.solve(system.K, system.load), np.diag(system.M)
+    total = []
+    for state in states:
+        q, v = twin.pack(state)
+        total.append((mass @ v**2 + (q - rest) @ system.K @ (q - rest)) / 2)
+    return np.array(total)
+
+
+@pytest.mark.parametrize("shear", SHEARS)
+def test_without_dampers_the_energy_only_wavers_by_the_square_of_the_step(shear):
+    fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **NO_DAMPERS)
+    start, drifts = plucked(twin), []
+    for split in (1, 2, 4):
+        energy = energies(twin, states_of(fold, twin, start, DEFAULT_STEP_S / split, 200 * split))
+        drifts.append(np.abs(energy / energy[0] - 1).max())
+    assert drifts[0] < 0.03
+    assert np.log2(drifts[0] / drifts[1]) == pytest.approx(2, abs=0.2)
+    assert np.log2(drifts[1] / drifts[2]) == pytest.approx(2, abs=0.2)
+
+
+@pytest.mark.parametrize("shear", SHEARS)
+def test_the_wavering_does_not_grow_over_thousands_of_steps(shear):
+    fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **NO_DAMPERS)
+    energy = energies(twin, states_of(fold, twin, plucked(twin), DEFAULT_STEP_S, 4000))
+    early, late = np.abs(energy[:1000] / energy[0] - 1).max(), np.abs(energy[3000:] / energy[0] - 1).max()
+    assert early > 0
+    assert late < 1.3 * early
+    assert energy[3000:].mean() == pytest.approx(energy[:1000].mean(), rel=2e-3)
+
+
+@pytest.mark.parametrize("shear", SHEARS)
+def test_what_is_lost_is_what_the_dampers_dissipate(shear):
+    """E(0) − E(t) = ∫ ẇᵀ C ẇ dt, to second order in the step."""
+    fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear)
+    damping, start, misses = twin.linear_operators().C, plucked(twin), []
+    for split in (2, 4, 8):
+        dt = DEFAULT_STEP_S / split
+        states = list(states_of(fold, twin, start, dt, 200 * split))
+        energy = energies(twin, states)
+        power = np.array([v @ damping @ v for v in (twin.pack(state)[1] for state in states)])
+        lost = energy[0] - energy[-1]
+        misses.append(abs(np.trapezoid(power, dx=dt) - lost) / energy[0])
+        assert lost > 0.1 * energy[0]
+        assert (power >= 0).all() and (np.diff(energy) < 1e-3 * energy[0] / split**2).all()
+    assert misses[-1] < 1e-4
+    assert np.polyfit(np.log([2, 4, 8]), np.log(misses), 1)[0] < -1.7

@@ -1,0 +1,113 @@
+"""The compiled step against the slow twin: the same scheme and step must give the same numbers.
+
+Voices of 20 ms through onset, flow and contact, over postures, variants and grids.
+"""
+
+import numpy as np
+import pytest
+
+from tests.support.fold_harness import MODAL, advance, get_state, product_and_twin, put_state
+from vfcore.kernels.layout import RECORD
+from vfcore.march import March
+from vfcore.params import DEFAULT_STEP_S
+
+OPEN_BACK = {"strain": -0.004, "a_ta": 0.4, "theta_g": 0.192}
+SHORT = {"strain": -0.315, "a_ta": 1.0, "theta_g": 0.0}
+LONG = {"strain": 0.23, "a_ta": 0.0, "theta_g": 0.018}
+
+CASES = [
+    MODAL,
+    OPEN_BACK,
+    SHORT,
+    LONG,
+    MODAL | {"coupling_gradient": "superior_stiff"},
+    MODAL | {"shear": "rotation", "coupling_gradient": "superior_stiff"},
+    LONG | {"shear": "rotation"},
+    OPEN_BACK | {"nx": 12, "ny": 6},
+    SHORT | {"nx": 12, "ny": 6, "shear": "rotation"},
+    MODAL | {"nx": 21, "ny": 11},
+    MODAL | {"theta_conv": 0.1, "alpha_s": 1.8, "mu_a_pa_s": 1e-3, "C_col_pa_s_m": 300.0},
+]
+
+
+def name_of(case):
+    return "-".join(str(value) for value in case.values())
+
+
+def closing_state(twin):
+    """Half of the fold moving into contact, the other half open: every branch within a few steps."""
+    x = twin.x[1:-1] / twin.k.L
+    wave = (np.sin(3 * np.pi * x) + 0.3 * x)[:, None] * np.linspace(0.6, 1.2, twin.ny)
+    w_m = twin.medial[1:-1] * 0.5 + 2e-4 * wave
+    return twin.zero_state()._replace(w_m=w_m, w_b=0.5 * w_m[:, 0], v_m=0.2 * wave)
+
+
+def compare(fold, twin, start, pressure_pa, steps, dt=DEFAULT_STEP_S):
+    march = March(fold, dt, pressure_pa)
+    put_state(march, start)
+    record = advance(march, steps)
+    reference = twin.run(start, pressure_pa, dt, steps, keep_every=1)
+    got = get_state(march)
+    for name, tolerance in (("w_m", 1e-12), ("w_b", 1e-12), ("phi", 1e-9)):
+        assert np.abs(getattr(got, name) - getattr(reference.final, name)).max() < tolerance, name
+    same_record(record, reference, twin)
+    return record
+
+
+def same_record(record, reference, twin):
+    column = dict(zip(RECORD, record.T, strict=True))
+    scale = max(1e-6, reference.A_g_min.max())
+    assert np.abs(column["glottal_area_m2"] - reference.A_g_min).max() < 1e-10 * scale
+    assert np.abs(column["glottal_flow_m3_s"] - reference.Q_g).max() < 1e-9 * max(1e-6, reference.Q_g.max())
+    peak = np.maximum(reference.p_col_max, 0.0)  # the record keeps pushes only
+    assert np.abs(column["contact_pressure_max_pa"] - peak).max() < 1e-9 * max(1.0, peak.max())
+    pushed = peak > 1e-6
+    assert np.isnan(column["contact_column"][reference.p_col_max <= 0]).all()
+    assert (column["contact_column"][pushed] == reference.p_col_max_at[pushed, 0]).all()
+    touching = np.array([twin.whole(state.w_m) > twin.medial for state in reference.states])
+    width_x = np.full(twin.nx, twin.dx)
+    width_x[[0, -1]] /= 2
+    area = touching @ twin.row_width @ width_x
+    assert np.abs(column["contact_area_m2"] - area).max() < 1e-12 * twin.k.L * twin.k.b
+
+
+@pytest.mark.parametrize("case", CASES, ids=name_of)
+def test_twenty_milliseconds_of_voice_equal_the_twin(case):
+    fold, twin = product_and_twin(**case)
+    record = compare(fold, twin, twin.initial_state(), 1000.0, 700)
+    assert record[:, RECORD.index("glottal_flow_m3_s")].max() > 1e-4
+    assert record[:, RECORD.index("contact_pressure_max_pa")].max() > 100 or case["theta_g"] > 0.1
+
+
+@pytest.mark.kernel
+@pytest.mark.parametrize("shear", ["kelvin_voigt", "rotation"])
+def test_a_few_steps_through_contact_and_flow_equal_the_twin(shear):
+    fold, twin = product_and_twin(**MODAL, nx=12, ny=6, shear=shear)
+    record = compare(fold, twin, closing_state(twin), 800.0, 40)
+    assert record[:, RECORD.index("contact_pressure_max_pa")].max() > 100
+    assert record[:, RECORD.index("glottal_flow_m3_s")].max() > 1e-5
+
+
+@pytest.mark.kernel
+def test_a_shorter_step_and_a_sparser_record_are_the_same_motion():
+    fold, twin = product_and_twin(**MODAL, nx=12, ny=6)
+    start, dt = closing_state(twin), DEFAULT_STEP_S / 4
+    reference = twin.run(start, 800.0, dt, 40)
+    march = March(fold, dt, 800.0)
+    put_state(march, start)
+    record = march.run(10)
+    assert march.record_every == 4
+    assert np.abs(get_state(march).w_m - reference.final.w_m).max() < 1e-12
+    flow = record[:, RECORD.index("glottal_flow_m3_s")]
+    assert np.abs(flow - reference.Q_g[::4]).max() < 1e-9 * flow.max()
+
+
+def test_a_rising_lung_pressure_equals_the_twin_under_the_same_ramp():
+    fold, twin = product_and_twin(**MODAL)
+    rise = 0.010
+    march = March(fold, DEFAULT_STEP_S, 1000.0, rise)
+    march.start_flat()
+    advance(march, 700)
+    reference = twin.run(twin.initial_state(), lambda t: 1000.0 * min(t / rise, 1.0), DEFAULT_STEP_S, 700)
+    assert np.abs(get_state(march).w_m - reference.final.w_m).max() < 1e-12
+    assert np.abs(reference.final.w_m).max() > 1e-4

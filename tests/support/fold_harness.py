@@ -1,0 +1,86 @@
+"""The compiled fold and its slow twin at the same posture, and states carried between the two."""
+
+import numpy as np
+
+from tests.support.fold_twin import FoldTwin, State
+from vfcore.assemble import Fold, assemble, beam, membrane
+from vfcore.constants import FoldConstants
+from vfcore.kernels.layout import RECORD
+from vfcore.march import March
+from vfcore.params import Model, Run, Simulation
+from vfcore.tissue.coefficients import coefficients
+
+MODAL = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.0}
+#: Held so wide open that nothing touches and, without lung pressure, every equation is linear.
+WIDE_OPEN = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.5, "theta_conv": 0.3}
+NO_DAMPERS = {"C_coup_pa_s_m": 0.0, "C_foun_pa_s": 0.0, "C_col_pa_s_m": 0.0, "eta_m_pa_s": 0.0}
+SHEARS = ("kelvin_voigt", "rotation")
+
+
+def product_and_twin(
+    strain: float,
+    a_ta: float,
+    theta_g: float,
+    theta_conv: float = 0.02,
+    nx: int = 20,
+    ny: int = 10,
+    coupling_gradient: str = "inferior_stiff",
+    shear: str = "kelvin_voigt",
+    **constants: float,
+) -> tuple[Fold, FoldTwin]:
+    """One fold twice: as the product assembles it and as the twin does. Angles in rad, constants SI."""
+    numbers = FoldConstants(**constants)
+    request = Simulation(
+        convergence_angle_rad=theta_conv,
+        model=Model(coupling_gradient=coupling_gradient, shear=shear),
+        run=Run(nx=nx, ny=ny),
+        constants=numbers,
+    )
+    fold = assemble(request, coefficients(strain, a_ta, numbers), theta_g, numbers.rest_angle_rad)
+    return fold, FoldTwin(strain, a_ta, theta_g, theta_conv, nx, ny, coupling_gradient, shear, numbers)
+
+
+def put_state(march: March, state: State) -> None:
+    """Load a twin state, last velocity increments 0 (what the twin's own first step assumes)."""
+    inner = slice(1, -1)
+    for name, value in (("w", state.w_m), ("v", state.v_m)):
+        membrane(march.buffer, march.fold, name)[:, inner] = value.T
+    for name, value in (("phi", state.phi), ("vphi", state.v_phi)):
+        membrane(march.buffer, march.fold, name)[:-1, inner] = value.T
+    for name, value in (("w_b", state.w_b), ("v_b", state.v_b)):
+        beam(march.buffer, march.fold, name)[inner] = value
+
+
+def get_state(march: March) -> State:
+    """A copy of the moving fields in the twin's arrangement."""
+
+    def m(name):
+        return membrane(march.buffer, march.fold, name)[:, 1:-1].T.copy()
+
+    def b(name):
+        return beam(march.buffer, march.fold, name)[1:-1].copy()
+
+    return State(m("w"), b("w_b"), m("phi")[:, :-1], m("v"), b("v_b"), m("vphi")[:, :-1])
+
+
+def advance(march: March, steps: int) -> np.ndarray:
+    """Move on by ``steps`` steps, every one recorded: (steps, 5), layout.RECORD."""
+    record = np.empty((steps, len(RECORD)))
+    numbers = np.arange(march.steps, march.steps + steps)
+    march._advance(march.buffer, march.scalars, march.pressure_at(numbers), 1, record)
+    march.steps += steps
+    return record
+
+
+def half_step_back(twin: FoldTwin, state: State, dt: float, pressure_pa: float = 0.0) -> State:
+    """A state with its velocities moved from t to t − dt/2, where the product's scheme keeps them."""
+    a_m, a_b, a_phi = twin.acceleration(state, pressure_pa)
+    return state._replace(
+        v_m=state.v_m - dt / 2 * a_m, v_b=state.v_b - dt / 2 * a_b, v_phi=state.v_phi - dt / 2 * a_phi
+    )
+
+
+def random_state(twin: FoldTwin, seed: int = 0, size: float = 1e-4) -> State:
+    """Displacements and velocities drawn from a normal distribution of standard deviation ``size``."""
+    rng = np.random.default_rng(seed)
+    return State(*(size * rng.standard_normal(part.shape) for part in twin.zero_state()))
