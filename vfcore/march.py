@@ -51,9 +51,11 @@ class March:
         assemble.membrane(self.buffer, fold)[:] = FLAT_BUMP_M * bump
 
     def start_static(self, shape: StaticShape) -> None:
-        """The static shape, unmoving."""
+        """The static shape, unmoving; with the rotation equation φ = ∂_y w, where the shear vanishes."""
         assemble.membrane(self.buffer, self.fold)[:] = shape.w_m
         assemble.beam(self.buffer, self.fold)[:] = shape.w_b
+        if self.fold.rotation:
+            assemble.membrane(self.buffer, self.fold, "phi")[:-1] = np.diff(shape.w_m, axis=0) / self.fold.dy
 
     def pressure_at(self, steps: np.ndarray) -> np.ndarray:
         """Lung pressure at the given step numbers, Pa."""

@@ -12,6 +12,7 @@ from vfcore.acoustics.area_functions import area_function
 from vfcore.constants import FoldConstants
 from vfcore.params import (
     GRID_LIMITS,
+    PAPER_STEP_S,
     STEP_LIMITS_S,
     VARIANTS,
     VOWELS,
@@ -49,7 +50,7 @@ _RUN_NUMBERS = {
     },
     "time_step_s": {
         "label": "time step", "unit": "s", "low": STEP_LIMITS_S[0], "high": STEP_LIMITS_S[1], "symbol": "Δt",
-        "source": _NUMERICS, "help": "null: chosen for the grid and the posture; the paper's is 1.7857142857142857e-6",
+        "source": _NUMERICS, "help": f"null: chosen for the grid and the posture; the paper's is {PAPER_STEP_S!r}",
     },
 }  # fmt: skip
 

@@ -1,0 +1,59 @@
+/** Name, voice, model, and the few things about the page itself. */
+import { html } from "../ui.js";
+import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
+import { choosePreset, preset, schema, setValue, values } from "../state/request.js";
+import { showNotice } from "../state/session.js";
+import { APP, TOP, VARIANT_NAMES } from "../texts.js";
+import { Icon } from "./Icon.js";
+
+export function TopBar() {
+  return html`
+    <header class="top">
+      <h1 class="brand"><${Icon} name="mark" />${APP.name}</h1>
+      ${schema.value && html`<${Presets} />${!narrow.value && html`<${Variants} />`}`}
+      <p class="use">${APP.use}</p>
+      <div class="top-tools">
+        <button class="quiet" type="button" onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
+        <button class="icon" type="button" aria-label=${theme.value === "dark" ? TOP.toLight : TOP.toDark} title=${theme.value === "dark" ? TOP.toLight : TOP.toDark} onClick=${toggleTheme}>
+          <${Icon} name=${theme.value === "dark" ? "sun" : "moon"} />
+        </button>
+        <button class="icon" type="button" aria-label=${TOP.help} title=${`${TOP.help} (?)`} onClick=${() => openDialog("help")}><${Icon} name="help" /></button>
+      </div>
+    </header>
+  `;
+}
+
+function Presets() {
+  const chosen = preset.value;
+  return html`
+    <label class="pick preset">
+      <span>${TOP.preset}</span>
+      <select value=${chosen?.key ?? ""} title=${chosen?.look_for} onChange=${(event) => event.target.value && choosePreset(event.target.value)}>
+        ${!chosen && html`<option value="">${TOP.own}</option>`}
+        ${schema.value.presets.map(({ key, label }) => html`<option value=${key}>${label}</option>`)}
+      </select>
+    </label>
+    <p class="look-for">${chosen?.look_for}</p>
+  `;
+}
+
+export function Variants() {
+  return html`
+    <label class="pick variant">
+      <span>${TOP.variant}</span>
+      <select value=${values.value["model.variant"]} onChange=${(event) => setValue("model.variant", event.target.value)}>
+        ${schema.value.variants.map(({ key, help }) => html`<option value=${key} title=${help}>${VARIANT_NAMES[key] ?? key}</option>`)}
+      </select>
+    </label>
+  `;
+}
+
+async function share() {
+  try {
+    await navigator.clipboard.writeText(location.href);
+    showNotice(TOP.shared);
+  } catch {
+    // Without a secure context there is no clipboard; the address itself is the link.
+    showNotice(TOP.sharedFailed);
+  }
+}

@@ -1,0 +1,46 @@
+/** Keys that work everywhere on the page. */
+import { toggleSound } from "./audio/sound.js";
+import { focusControl } from "./controls/focus.js";
+import { Disposal } from "./dispose.js";
+import { narrow, open, openDialog, setTab } from "./state/look.js";
+import { holdPhase, moving, phase, setMoving } from "./state/motion.js";
+import { musclePaths } from "./state/muscles.js";
+import { result } from "./state/outcome.js";
+import { schema } from "./state/request.js";
+
+const PHASE_STEP = 0.01;
+
+/** Starts listening; returns the end of it. */
+export function followKeys() {
+  const disposal = new Disposal();
+  disposal.listen(document, "keydown", onKey);
+  return () => disposal.dispose();
+}
+
+function onKey(event) {
+  if (event.ctrlKey || event.metaKey || event.altKey || open.peek() || !schema.peek() || takesText(event.target)) return;
+  const action = actionOf(event.key, event.target);
+  if (!action) return;
+  event.preventDefault();
+  action();
+}
+
+const takesText = (target) => target.matches?.("input:not([type=range], [type=checkbox], [type=radio]), select, textarea");
+
+function actionOf(key, target) {
+  if (key === " ") return takesSpace(target) || !result.peek() ? null : toggleSound;
+  if (key === "?") return () => openDialog("help");
+  if (key === "m" || key === "M") return () => setMoving(!moving.peek());
+  if (key === "[") return () => holdPhase(phase.peek() - PHASE_STEP);
+  if (key === "]") return () => holdPhase(phase.peek() + PHASE_STEP);
+  const path = /^[1-9]$/.test(key) ? musclePaths()[Number(key) - 1] : undefined;
+  return path ? () => chooseMuscle(path) : null;
+}
+
+/** Space presses a focused button itself. */
+const takesSpace = (target) => target.matches?.("button, a, summary, input[type=checkbox], input[type=radio], audio");
+
+function chooseMuscle(path) {
+  if (narrow.peek()) setTab("muscles");
+  requestAnimationFrame(() => focusControl(path));
+}

@@ -1,0 +1,21 @@
+/**
+ * From the hand to the picture, measured by the page itself: for every change, the time until the first painted frame
+ * that holds it or a later one. Read with performance.getEntriesByName("slider to shape" | "slider to all").
+ */
+const KEPT = 400;
+const inputs = new Map(); // version → time
+const shownUpTo = { "slider to shape": 0, "slider to all": 0 };
+
+export function recordInput(version) {
+  if (!inputs.has(version)) inputs.set(version, performance.now());
+  if (inputs.size > KEPT) inputs.delete(inputs.keys().next().value);
+}
+
+export function recordShown(name, version) {
+  const end = performance.now();
+  if (performance.getEntriesByName(name).length > KEPT) performance.clearMeasures(name);
+  for (const [changed, start] of inputs) {
+    if (changed > shownUpTo[name] && changed <= version) performance.measure(name, { start, end });
+  }
+  shownUpTo[name] = Math.max(shownUpTo[name], version);
+}

@@ -1,0 +1,65 @@
+/** What the hand does goes to the server by itself: posture and voice, newest wins, and comes back on the page. */
+import { effect } from "./ui.js";
+import { Problem, postJson, simulate } from "./api.js";
+import { afterPaint } from "./frame.js";
+import { Lane } from "./lane.js";
+import { recordInput, recordShown } from "./latency.js";
+import { postureRequest, simulationRequest } from "./params.js";
+import { LIVE_ARRAYS, makeResult } from "./result.js";
+import { takePosture, takeProblem, takeResult } from "./state/outcome.js";
+import { gesture, schema, values, version } from "./state/request.js";
+import { connection, setConnection } from "./state/session.js";
+
+export const LIVE_S = 0.5;
+const RETRY_MS = 1500;
+
+/** Starts following the request; returns the end of it. */
+export function followRequest() {
+  let retry = 0;
+  const failed = (error, job) => {
+    if (!(error instanceof Problem)) throw error;
+    if (error.status === 401) return setConnection("login");
+    if (error.status === 0 || error.status === 503) {
+      setConnection("offline");
+      clearTimeout(retry);
+      retry = setTimeout(() => push(job), RETRY_MS);
+    }
+    if (job.version === version.peek()) takeProblem(error);
+  };
+  const postures = new Lane(
+    (job) => postJson("posture", job.postureBody),
+    (answer, job) => {
+      setConnection("ready");
+      takePosture(answer, job.gesture);
+      afterPaint(() => recordShown("slider to shape", job.version));
+    },
+    failed,
+  );
+  const voices = new Lane(
+    (job) => simulate(job.body, LIVE_ARRAYS),
+    (answer, job) => {
+      takeResult(makeResult(answer));
+      afterPaint(() => recordShown("slider to all", job.version));
+    },
+    failed,
+  );
+  const push = (job) => {
+    postures.push(job);
+    voices.push(job);
+  };
+  const stop = effect(() => {
+    if (!schema.value || connection.value === "login" || connection.value === "starting") return;
+    const job = {
+      version: version.value,
+      gesture: gesture.value,
+      body: simulationRequest(schema.value, values.value, { duration_s: LIVE_S }),
+      postureBody: postureRequest(schema.value, values.value),
+    };
+    recordInput(job.version);
+    push(job);
+  });
+  return () => {
+    stop();
+    clearTimeout(retry);
+  };
+}

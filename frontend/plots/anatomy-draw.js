@@ -1,0 +1,103 @@
+/**
+ * What surrounds the folds, as a plan: thyroid and arytenoid cartilages, and the five muscles as strands whose weight
+ * is their activation. Schematic: positions follow the posture (length, half-angle), sizes are a textbook larynx's.
+ */
+import { smoothLine } from "./canvas.js";
+
+const SIDES = [-1, 1];
+// Arytenoid in mm from the vocal process: [backwards, sideways]; it turns about its joint.
+const ARYTENOID = [[0, 0.35], [2.8, 0.1], [6.2, 0.5], [7.2, 1.7], [6.9, 3.4], [5.6, 5.6], [4.5, 5.7], [3.6, 3.6], [1.6, 1.5]];
+const JOINT = [4.9, 3.1];
+const MUSCULAR_PROCESS = [5.2, 5.3];
+const BACK = [6.9, 2.1];
+const TURN_PER_HALF_ANGLE = 1.5; // the process swings out as the arytenoid turns about its joint
+
+/** `lengthMm` and `halfAngleRad` of the posture; the vocal process lies L·tan(θ_g) from the midline. */
+export function anatomyOf(lengthMm, halfAngleRad) {
+  const out = lengthMm * Math.tan(halfAngleRad);
+  const turn = -TURN_PER_HALF_ANGLE * halfAngleRad;
+  const [tipU, tipR] = rotate([0, 0], turn);
+  const place = (point) => {
+    const [u, r] = rotate(point, turn);
+    return [u - tipU, r - tipR + out];
+  };
+  return {
+    lengthMm,
+    arytenoid: ARYTENOID.map(place),
+    muscular: place(MUSCULAR_PROCESS),
+    back: place(BACK),
+    insertion: place([2.6, 2.2]),
+  };
+}
+
+function rotate([u, r], angle) {
+  const [cu, cr] = [u - JOINT[0], r - JOINT[1]];
+  return [JOINT[0] + cu * Math.cos(angle) - cr * Math.sin(angle), JOINT[1] + cu * Math.sin(angle) + cr * Math.cos(angle)];
+}
+
+/** Lines of each muscle on one side, mm: [[u, r], …]. */
+export function strands({ lengthMm, muscular, back, insertion }) {
+  const front = -lengthMm;
+  return {
+    ta: [[front - 0.6, 1.5], [front * 0.62, 5.3], [front * 0.28, 5.2], insertion],
+    lca: [[front * 0.42, 9.1], [-1.5, 8.3], muscular],
+    pca: [[9.6, 0.9], [8.6, 3.2], muscular],
+    ia: [[back[0] + 0.3, 0], back],
+    ct: [[-7.2, 10.2], [front * 0.72, 9.9], [front - 0.4, 5.2]],
+  };
+}
+
+export function drawBackdrop(context, view, anatomy, colours) {
+  const front = -anatomy.lengthMm;
+  const wall = [[front - 1.2, 0], [front + 1.5, 3.4], [front * 0.5, 8.4], [0, 8.9], [6, 7.4], [8.6, 3.4], [8.9, 0]];
+  context.beginPath();
+  smoothLine(context, wall.map(([u, r]) => view.at(u, r)));
+  smoothLine(context, wall.map(([u, r]) => view.at(u, -r)).reverse(), { move: false });
+  context.closePath();
+  context.fillStyle = colours.wall;
+  context.fill();
+}
+
+export function drawCartilages(context, view, anatomy, colours) {
+  context.lineJoin = context.lineCap = "round";
+  const front = -anatomy.lengthMm - 2.1;
+  const lamina = (side) => [[front, 0], [front + 2.2, 3.6 * side], [front + 9.5, 10.2 * side], [front + 13, 12.6 * side]];
+  context.strokeStyle = colours.cartilage;
+  context.lineWidth = 1.7 * view.scale;
+  context.beginPath();
+  smoothLine(context, [...lamina(-1).reverse(), ...lamina(1).slice(1)].map(([u, r]) => view.at(u, r)));
+  context.stroke();
+  for (const side of SIDES) {
+    context.beginPath();
+    const points = anatomy.arytenoid.map(([u, r]) => view.at(u, Math.max(r, 0.08) * side));
+    smoothLine(context, [...points, points[0]]);
+    context.fillStyle = colours.cartilage;
+    context.fill();
+    context.lineWidth = 1;
+    context.strokeStyle = colours.cartilageEdge;
+    context.stroke();
+  }
+}
+
+/** `activation`: {ta: 0.4, …}; `chosen` is drawn with a halo. */
+export function drawMuscles(context, view, anatomy, activation, colours, chosen) {
+  const lines = strands(anatomy);
+  context.lineCap = "round";
+  for (const [name, points] of Object.entries(lines)) {
+    const level = Math.max(0, Math.min(1, activation[name] ?? 0));
+    for (const side of SIDES) {
+      context.beginPath();
+      smoothLine(context, points.map(([u, r]) => view.at(u, r * side)));
+      if (name === chosen) stroke(context, colours.halo, (1.1 + 1.3 * level) * view.scale, 0.55);
+      stroke(context, colours[name], (0.35 + 1.15 * level) * view.scale, 0.3 + 0.6 * level);
+    }
+  }
+}
+
+function stroke(context, colour, width, alpha) {
+  context.globalAlpha = alpha;
+  context.lineWidth = width;
+  context.strokeStyle = colour;
+  context.stroke();
+  context.globalAlpha = 1;
+}

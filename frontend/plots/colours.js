@@ -1,0 +1,60 @@
+/** Colour maps as tables of 256 colours; each runs evenly in lightness, so it survives colour blindness and print. */
+
+const SIZE = 256;
+
+/** Blue through neutral to red-brown: for signed pressure, centred on zero. */
+const DIVERGING = {
+  light: ["#1c3f77", "#3f78b5", "#93b9da", "#f3f1ec", "#e3ab8b", "#bd5f3c", "#7a2712"],
+  dark: ["#a9d3ff", "#5b9bd5", "#2c5c8f", "#1b1f24", "#8c4a31", "#d98059", "#ffd0b5"],
+};
+
+/** Neutral to warm: for contact pressure from zero up. */
+const SEQUENTIAL = {
+  light: ["#f3f1ec", "#f9d9a4", "#f3a95b", "#dc7130", "#a8401c", "#5f1a10"],
+  dark: ["#1b1f24", "#57291d", "#97421d", "#d36f22", "#f2a945", "#fdeebc"],
+};
+
+/** Neutral to teal: below zero, where contact holds instead of pushing. */
+const BELOW = {
+  light: ["#f3f1ec", "#9fc9c2", "#2f7f78"],
+  dark: ["#1b1f24", "#2c6a65", "#86cdc3"],
+};
+
+const cache = new Map();
+
+/** Uint8 table (256 × 3) of a named map in a theme: diverging | sequential | below. */
+export function colourTable(name, theme) {
+  const key = `${name} ${theme}`;
+  if (!cache.has(key)) cache.set(key, build({ diverging: DIVERGING, sequential: SEQUENTIAL, below: BELOW }[name][theme]));
+  return cache.get(key);
+}
+
+function build(stops) {
+  const colours = stops.map(fromHex);
+  const table = new Uint8Array(SIZE * 3);
+  for (let k = 0; k < SIZE; k++) {
+    const at = (k / (SIZE - 1)) * (colours.length - 1);
+    const i = Math.min(Math.floor(at), colours.length - 2);
+    for (let c = 0; c < 3; c++) table[3 * k + c] = colours[i][c] + (at - i) * (colours[i + 1][c] - colours[i][c]);
+  }
+  return table;
+}
+
+const fromHex = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));
+
+/**
+ * The scale of a map: `at(value)` gives an index triple's offset and table. Signed maps take `limit` on both sides;
+ * sequential ones run from 0 to `limit` and in the other hue down to −`limit`.
+ */
+export function colourScale(kind, limit, theme) {
+  const top = SIZE - 1;
+  if (kind === "diverging") {
+    const table = colourTable("diverging", theme);
+    return (value) => [table, 3 * clampIndex(((value / limit + 1) / 2) * top)];
+  }
+  const above = colourTable("sequential", theme);
+  const below = colourTable("below", theme);
+  return (value) => (value >= 0 ? [above, 3 * clampIndex((value / limit) * top)] : [below, 3 * clampIndex((-value / limit) * top)]);
+}
+
+const clampIndex = (value) => Math.max(0, Math.min(SIZE - 1, Math.round(value)));

@@ -1,0 +1,47 @@
+/** Plotly, fetched from this server when it is first needed. */
+
+let loading = null;
+
+export function loadPlotly() {
+  loading ??= new Promise((resolve, reject) => {
+    const script = document.createElement("script");
+    script.src = new URL("vendor/plotly.min.js", document.baseURI).href;
+    script.onload = () => resolve(window.Plotly);
+    script.onerror = () => {
+      loading = null;
+      reject(new Error("no plot library"));
+    };
+    document.head.append(script);
+  });
+  return loading;
+}
+
+/** Traces and layout of a stack of waves on one time axis. Pure. */
+export function stackFigure(rows, timeS, axisTitle, colours) {
+  const count = rows.length;
+  const axis = { gridcolor: colours.grid, zerolinecolor: colours.line, linecolor: colours.line, automargin: true };
+  const layout = {
+    paper_bgcolor: "rgba(0,0,0,0)",
+    plot_bgcolor: "rgba(0,0,0,0)",
+    font: { family: "ui-sans-serif, system-ui, sans-serif", size: 13, color: colours.ink },
+    margin: { l: 70, r: 16, t: 8, b: 44 },
+    showlegend: false,
+    hovermode: "x unified",
+    hoverlabel: { bgcolor: colours.panel, bordercolor: colours.line, font: { color: colours.ink } },
+    dragmode: "zoom",
+    xaxis: { ...axis, title: { text: axisTitle }, anchor: `y${count}`, hoverformat: ".5f" },
+  };
+  const traces = rows.map((row, k) => {
+    const name = k === 0 ? "y" : `y${k + 1}`;
+    const top = 1 - k / count;
+    layout[k === 0 ? "yaxis" : `yaxis${k + 1}`] = {
+      ...axis,
+      title: { text: `${row.label}<br>${row.unit}`, font: { size: 12 } },
+      domain: [top - 0.92 / count, top],
+      nticks: 4,
+      tickformat: "~g",
+    };
+    return { x: timeS, y: row.values, yaxis: name, xaxis: "x", type: "scatter", mode: "lines", name: row.label, line: { width: 1.3, color: row.colour }, hovertemplate: `%{y:.4~g} ${row.unit}` };
+  });
+  return { traces, layout };
+}

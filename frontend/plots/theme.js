@@ -1,0 +1,28 @@
+/** The colours of the style sheet, for what is painted on a canvas. */
+import { computed } from "../ui.js";
+import { theme } from "../state/look.js";
+
+const NAMES = {
+  ink: "--ink", inkSoft: "--ink-soft", grid: "--grid", panel: "--panel", line: "--line", accent: "--accent",
+  fold: "--tissue-fold", lip: "--tissue-lip", wall: "--tissue-wall", cartilage: "--cartilage",
+  cartilageEdge: "--cartilage-edge", opening: "--opening", glow: "--glow", glowClear: "--glow-clear",
+  superior: "--edge-superior", inferior: "--edge-inferior", medial: "--medial", ghost: "--ghost", halo: "--halo",
+  ta: "--ta", ct: "--ct", lca: "--lca", ia: "--ia", pca: "--pca",
+  cycle: "--cycle", cursor: "--cursor", mostOpen: "--most-open", mostClosed: "--most-closed",
+  pressure: "--wave-pressure", flow: "--wave-flow", slope: "--wave-slope", area: "--wave-area",
+  contact: "--wave-contact",
+}; // prettier-ignore
+
+/** Colours by name in the theme shown. The attribute is set here so that they are read from the right rules. */
+export const palette = computed(() => {
+  document.documentElement.dataset.theme = theme.value;
+  const style = getComputedStyle(document.documentElement);
+  const colours = Object.fromEntries(Object.entries(NAMES).map(([key, name]) => [key, style.getPropertyValue(name).trim()]));
+  return { ...colours, theme: theme.value };
+});
+
+/** Canvas text in the page's own small size, which grows with the screen. */
+export function smallFont(weight = 400) {
+  const root = parseFloat(getComputedStyle(document.documentElement).fontSize);
+  return `${weight} ${(root * 0.75).toFixed(2)}px ui-sans-serif, system-ui, sans-serif`;
+}

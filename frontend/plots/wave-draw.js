@@ -1,0 +1,96 @@
+/** Paints the stack of waves and, on a layer above, its cursor. */
+import { tickText, ticks, niceStep } from "./axis.js";
+
+/** Where things stand in a stack of `count` rows: {left, right, rows: [{top, bottom}], x(t)}. */
+export function stackLayout(width, height, count, window, unit) {
+  const left = 3.1 * unit;
+  const right = width - 0.5 * unit;
+  const foot = 1.35 * unit;
+  const head = 1.25 * unit;
+  const each = (height - foot) / count;
+  const rows = Array.from({ length: count }, (_, k) => ({ top: k * each + head, bottom: (k + 1) * each - 0.35 * unit }));
+  const span = window.endS - window.startS;
+  return {
+    left, right, rows, width, height, foot,
+    x: (timeS) => left + ((timeS - window.startS) / span) * (right - left),
+    time: (x) => window.startS + ((x - left) / (right - left)) * span,
+  }; // prettier-ignore
+}
+
+/** `limits`: one [low, high] a row. */
+export function drawWaves(context, layout, result, { window, rows }, limits, colours, font) {
+  highlightCycle(context, layout, result, colours);
+  drawTimeAxis(context, layout, result, window, colours, font);
+  rows.forEach((row, k) => {
+    const place = layout.rows[k];
+    const [low, high] = limits[k];
+    const y = (value) => place.bottom - ((value - low) / (high - low)) * (place.bottom - place.top);
+    context.font = font;
+    context.textAlign = "right";
+    context.textBaseline = "middle";
+    const marks = ticks(low, high, 3);
+    for (const mark of marks) {
+      context.fillStyle = colours.grid;
+      context.fillRect(layout.left, Math.round(y(mark)), layout.right - layout.left, mark === 0 ? 1.25 : 0.75);
+      context.fillStyle = colours.inkSoft;
+      context.fillText(tickText(mark, niceStep(high - low, 3)), layout.left - 5, y(mark));
+    }
+    drawLine(context, layout, result, row.values, window, y, colours[row.key]);
+  });
+}
+
+function drawLine(context, layout, result, values, window, y, colour) {
+  const startS = result.startS + window.first / result.rate;
+  const pixels = layout.right - layout.left;
+  context.save();
+  context.beginPath();
+  context.rect(layout.left, 0, pixels + 0.5, layout.height);
+  context.clip();
+  context.beginPath();
+  for (let k = 0; k < values.length; k++) context.lineTo(layout.x(startS + k / result.rate), y(values[k]));
+  context.lineWidth = 1.6;
+  context.lineJoin = "round";
+  context.strokeStyle = colour;
+  context.stroke();
+  context.restore();
+}
+
+function highlightCycle(context, layout, { cycle }, colours) {
+  if (!cycle.complete) return;
+  const from = layout.x(cycle.startS);
+  context.fillStyle = colours.cycle;
+  context.fillRect(from, 0, layout.x(cycle.startS + cycle.periodS) - from, layout.height - layout.foot);
+}
+
+/** Milliseconds counted from the start of the highlighted cycle. */
+function drawTimeAxis(context, layout, { cycle }, window, colours, font) {
+  context.font = font;
+  context.textAlign = "center";
+  context.textBaseline = "top";
+  const ms = (timeS) => (timeS - cycle.startS) * 1e3;
+  const bottom = layout.height - layout.foot;
+  for (const mark of ticks(ms(window.startS), ms(window.endS), 7)) {
+    const x = layout.x(cycle.startS + mark / 1e3);
+    context.fillStyle = colours.grid;
+    context.fillRect(Math.round(x), 0, 0.75, bottom);
+    context.fillStyle = colours.inkSoft;
+    if (x > layout.left + 8 && x < layout.right - 8) context.fillText(tickText(mark, 5), x, bottom + 4);
+  }
+}
+
+/** The shared cursor: in the highlighted cycle, and faintly at the same phase of the others where they repeat. */
+export function drawCursor(context, layout, result, phase, window, colours) {
+  const { startS, periodS, complete } = result.cycle;
+  const here = startS + phase * periodS;
+  for (let timeS = here; complete && timeS > window.startS; timeS -= periodS) line(context, layout, timeS, colours.cursor, 0.28);
+  line(context, layout, here, colours.cursor, 1);
+}
+
+function line(context, layout, timeS, colour, alpha) {
+  const x = layout.x(timeS);
+  if (x < layout.left || x > layout.right + 1) return;
+  context.globalAlpha = alpha;
+  context.fillStyle = colour;
+  context.fillRect(x - 0.6, 0, 1.2, layout.height - layout.foot);
+  context.globalAlpha = 1;
+}

@@ -1,0 +1,59 @@
+/** How the page looks, not what it computes: theme, orientation of the stage, which panel is open. */
+import { computed, signal } from "../ui.js";
+import { readonly } from "./readonly.js";
+
+const THEME_KEY = "vocalis.theme";
+const system = matchMedia("(prefers-color-scheme: dark)");
+const small = matchMedia("(max-width: 1099px)");
+
+const _chosenTheme = signal(localStorage.getItem(THEME_KEY) ?? "system"); // system | light | dark
+const _systemDark = signal(system.matches);
+const _narrow = signal(small.matches);
+const _orientation = signal("anterior_left"); // anterior_left | endoscope
+const _muscles = signal(true);
+const _panel = signal("waves"); // desktop, right column: waves | measures | run
+const _tab = signal("muscles"); // phone: muscles | waves | numbers | more
+const _open = signal(null); // null or {name, ...}: the dialog on top
+
+system.addEventListener("change", (event) => (_systemDark.value = event.matches));
+small.addEventListener("change", (event) => (_narrow.value = event.matches));
+
+export const theme = computed(() =>
+  _chosenTheme.value === "system" ? (_systemDark.value ? "dark" : "light") : _chosenTheme.value,
+);
+/** Whether the page is laid out for a phone or tablet. */
+export const narrow = readonly(_narrow);
+export const orientation = readonly(_orientation);
+export const musclesShown = readonly(_muscles);
+export const panel = readonly(_panel);
+export const tab = readonly(_tab);
+export const open = readonly(_open);
+
+export function toggleTheme() {
+  _chosenTheme.value = theme.value === "dark" ? "light" : "dark";
+  localStorage.setItem(THEME_KEY, _chosenTheme.value);
+}
+
+export function setOrientation(value) {
+  _orientation.value = value;
+}
+
+export function setMusclesShown(on) {
+  _muscles.value = on;
+}
+
+export function setPanel(name) {
+  _panel.value = name;
+}
+
+export function setTab(name) {
+  _tab.value = name;
+}
+
+export function openDialog(name, about = {}) {
+  _open.value = { name, ...about };
+}
+
+export function closeDialog() {
+  _open.value = null;
+}

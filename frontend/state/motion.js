@@ -1,0 +1,46 @@
+/** Where in the cycle the page looks: one phase shared by stage, maps and waves, still or in slow motion. */
+import { signal } from "../ui.js";
+import { readonly } from "./readonly.js";
+
+export const RATES = [25, 50, 100, 200, 400];
+
+const _phase = signal(0.3);
+const _moving = signal(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+const _pointing = signal(false);
+const _slowdown = signal(100);
+
+/** 0 to 1 of the cycle shown. */
+export const phase = readonly(_phase);
+export const moving = readonly(_moving);
+/** A pointer rests on the waves: the motion waits for it to leave. */
+export const pointing = readonly(_pointing);
+/** Shown at one over this speed. */
+export const slowdown = readonly(_slowdown);
+
+export function setPhase(value) {
+  _phase.value = value - Math.floor(value);
+}
+
+/** Look at one phase: the motion stops there. */
+export function holdPhase(value) {
+  _moving.value = false;
+  setPhase(value);
+}
+
+/** Look at one phase for as long as the pointer is there. */
+export function pointAt(value) {
+  _pointing.value = true;
+  setPhase(value);
+}
+
+export function stopPointing() {
+  _pointing.value = false;
+}
+
+export function setMoving(on) {
+  _moving.value = on;
+}
+
+export function setSlowdown(value) {
+  _slowdown.value = value;
+}

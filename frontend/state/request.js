@@ -1,0 +1,72 @@
+/** What is asked of the model: the schema, every value, and what the last hand movement started from. */
+import { batch, computed, signal } from "../ui.js";
+import { capital, defaultValues, flatten, presetOf, presetValues } from "../params.js";
+import { readonly } from "./readonly.js";
+
+const GESTURE_PAUSE_MS = 1500;
+const TIED = { "activation.lca": "activation.ia", "activation.ia": "activation.lca" };
+
+const _schema = signal(null);
+const _catalogue = signal(null);
+const _values = signal({});
+const _version = signal(0);
+const _gesture = signal(0);
+const _tied = signal(false);
+
+export const schema = readonly(_schema);
+export const catalogue = readonly(_catalogue);
+/** Every value by dotted path, as it will be sent. */
+export const values = readonly(_values);
+/** Counts changes: an answer knows which version it belongs to. */
+export const version = readonly(_version);
+/** Counts hand movements: changes of one control without a pause are one. */
+export const gesture = readonly(_gesture);
+export const tied = readonly(_tied);
+export const preset = computed(() => (_schema.value ? presetOf(_schema.value, _values.value) : null));
+
+export function begin(newSchema, catalogueRows, changes) {
+  batch(() => {
+    _schema.value = newSchema;
+    _catalogue.value = new Map(catalogueRows.map((row) => [row.key, { ...row, name: capital(row.name) }]));
+    _values.value = { ...defaultValues(newSchema), ...changes };
+    _version.value = 1;
+  });
+}
+
+let lastPath = "";
+let lastChange = 0;
+
+export function setValue(path, value) {
+  const other = _tied.value ? TIED[path] : undefined;
+  change({ ..._values.value, [path]: value, ...(other && { [other]: value }) }, path);
+}
+
+export function resetValue(path) {
+  setValue(path, _schema.value.parameters.get(path).default);
+}
+
+export function choosePreset(key) {
+  const chosen = _schema.value.presets.find((row) => row.key === key);
+  change(presetValues(_schema.value, chosen, _values.value), `preset ${key}`);
+}
+
+/** Take the values of a request document, as a job or a link holds it. */
+export function takeRequest(request) {
+  const known = Object.entries(flatten(request)).filter(([path]) => _schema.value.parameters.has(path));
+  change({ ...defaultValues(_schema.value), ...Object.fromEntries(known) }, "request");
+}
+
+export function setTied(on) {
+  _tied.value = on;
+}
+
+function change(next, path) {
+  const now = performance.now();
+  batch(() => {
+    if (path !== lastPath || now - lastChange > GESTURE_PAUSE_MS) _gesture.value += 1;
+    _values.value = next;
+    _version.value += 1;
+  });
+  lastPath = path;
+  lastChange = now;
+}

@@ -1,0 +1,35 @@
+/** Where the page stands with its server: starting, ready, asking for a token, or without an answer. */
+import { signal } from "../ui.js";
+import { readonly } from "./readonly.js";
+
+const _connection = signal("starting"); // starting | ready | login | offline
+const _health = signal(null);
+const _notice = signal("");
+const _announcement = signal("");
+
+export const connection = readonly(_connection);
+export const health = readonly(_health);
+/** One line for the eye, gone after a few seconds. */
+export const notice = readonly(_notice);
+/** One line for screen readers. */
+export const announcement = readonly(_announcement);
+
+export function setConnection(value) {
+  _connection.value = value;
+}
+
+export function setHealth(value) {
+  _health.value = value;
+}
+
+let clearing = 0;
+
+export function showNotice(text, seconds = 6) {
+  _notice.value = text;
+  clearTimeout(clearing);
+  clearing = setTimeout(() => (_notice.value = ""), seconds * 1000);
+}
+
+export function announce(text) {
+  _announcement.value = text;
+}

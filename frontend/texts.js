@@ -1,0 +1,242 @@
+/** Every word of the page that the server does not send. Longer than other files because it is a table of sentences. */
+
+export const APP = {
+  name: "Vocalis",
+  use: "Adult male larynx; research and teaching, not a medical device.",
+  starting: "Preparing the model",
+  startingWhy: "The first start compiles the equations for this machine: some ten seconds, once.",
+  offline: "The server does not answer. Trying again…",
+  waiting: "Waiting for the first result",
+};
+
+export const TOP = {
+  preset: "Voice",
+  own: "Own settings",
+  variant: "Model",
+  share: "Copy link",
+  shared: "Link copied: it opens this voice.",
+  sharedFailed: "The link is in the address bar.",
+  unknown: (names) => `The link names what is no parameter here: ${names.join(", ")}.`,
+  toDark: "Dark theme",
+  toLight: "Light theme",
+  help: "Keys and help",
+};
+
+export const VARIANT_NAMES = { paper: "Paper", text_literal: "Text to the letter" };
+
+export const GROUPS = {
+  muscles: "Muscles",
+  voice: "Breath and tract",
+  advanced: "Advanced",
+  tied: "Move LCA and IA together",
+};
+
+/** What each muscle does, in the width of a slider; the long form comes with the schema. */
+export const ROLES = {
+  "activation.ta": "shortens and bulges the folds",
+  "activation.ct": "stretches the folds: the pitch muscle",
+  "activation.lca": "closes the membranous glottis",
+  "activation.ia": "closes the back of the glottis",
+  "activation.pca": "draws the folds apart: the only opener",
+};
+
+export const OPTION_NAMES = {
+  flat: "flat",
+  static: "static shape",
+  inferior_stiff: "stiff at the inferior edge",
+  superior_stiff: "stiff at the superior edge",
+  kelvin_voigt: "Kelvin–Voigt",
+  rotation: "rotation equation",
+  serry2026: "Serry 2026",
+  alzamendi2020: "Alzamendi 2020",
+  titze2006: "Titze 2006",
+  palaparthi2019: "Palaparthi 2019",
+};
+
+export const CONTROL = {
+  typed: (name) => `${name}, typed value`,
+  reset: (value) => `Double-click: back to ${value}`,
+  ownChoice: "the variant’s own",
+  automatic: "automatic",
+  byMuscles: "by the muscles",
+  allowed: (allowed) => `Allowed: ${allowed}.`,
+};
+
+export const STAGE = {
+  title: "Glottis from above",
+  anterior: "Anterior",
+  posterior: "Posterior",
+  anteriorLeft: "Anterior left",
+  endoscope: "Endoscope",
+  orientation: "Orientation of the view",
+  muscles: "Muscles",
+  play: "Play the motion",
+  pause: "Stop the motion",
+  phase: "Phase of the cycle",
+  speed: "Speed",
+  speedOf: (n) => `1/${n} speed`,
+  strain: "Strain",
+  angle: "Half-angle",
+  length: "Length",
+  atRest: "At rest",
+  legend: { superior: "superior edge", inferior: "inferior edge", ghost: "at rest, no pressure", opening: "opening", contact: "contact" },
+  picture: "Both vocal folds seen from above, anterior commissure to vocal processes",
+};
+
+export const CLOSURE = {
+  complete: "closed along the whole length",
+  posterior_opening: "open at the back",
+  anterior_opening: "open in front",
+  hourglass: "hourglass: touching in the middle",
+  spindle: "spindle: open in the middle",
+  open: "open along the whole length",
+};
+
+export const MAPS = {
+  aero: "Aerodynamic pressure",
+  contact: "Contact pressure",
+  anterior: "anterior",
+  superior: "superior",
+  inferior: "inferior",
+  where: "medial surface of one fold",
+  at: (percent) => `at ${percent} % of the cycle`,
+};
+
+export const WAVES = {
+  pressure: "Radiated pressure at the lips",
+  flow: "Glottal flow",
+  slope: "Flow derivative",
+  area: "Glottal area",
+  contact: "Contact pressure, largest",
+  time: "ms from the start of the highlighted cycle",
+  timeFree: "ms, last part of the run",
+  zoom: "Zoom",
+  zoomHelp: "Open the whole run, to zoom and measure",
+  picture: "Waves over time, one above the other; drag to move the cursor",
+};
+
+export const SHAPES = {
+  title: "Shape of one fold",
+  open: "most open",
+  closed: "most closed",
+  static: "static",
+  edges: "superior solid, inferior dashed",
+  medial: "midline",
+  axis: "mm from the midline",
+  along: "mm from the anterior commissure",
+  picture: "Distance of the fold’s edges from the midline along its length: static, most open, most closed",
+};
+
+export const PANELS = { waves: "Waves", measures: "Measures", run: "Long run" };
+export const TABS = { muscles: "Muscles", waves: "Waves", numbers: "Numbers", more: "More" };
+
+export const STATES = {
+  none: "No sustained vibration",
+  periodic: "Periodic phonation",
+  subharmonic: "Subharmonic phonation",
+  irregular: "Irregular phonation",
+};
+
+/** Large numbers of the strip: measure, label, unit as shown, factor. */
+export const HEADLINES = [
+  { key: "fo_hz", label: "Pitch" },
+  { key: "spl_30cm_db", label: "Level at 30 cm", also: { key: "spl_lips_db", label: "lips" } },
+  { key: "closed_quotient", label: "Closed quotient", decimals: 2 },
+  { key: "speed_quotient", label: "Speed quotient" },
+  { key: "mean_flow_ml_s", label: "Mean flow" },
+  { key: "contact_pressure_max_pa", label: "Contact pressure", unit: "kPa", factor: 1e-3, decimals: 2 },
+];
+
+export const MEASURE = {
+  definition: "Definition",
+  formula: "Formula",
+  threshold: "Settings",
+  signal: "Read from",
+  normal: "Expected",
+  source: "Source",
+  none: "No value",
+  noRange: "No published range for this measure.",
+  cycles: (n) => (n ? `Mean over ${n} cycles of the last half of the run.` : "From the last half of the run."),
+  caution: "This model’s absolute flow and level lie well above a human’s; read trends and shapes.",
+  open: (name) => `${name}: definition, expected values, source`,
+  table: "All measures",
+};
+
+export const SOUND = {
+  play: "Listen",
+  pause: "Stop",
+  volume: "Volume",
+  loop: "Repeat",
+  loopHelp: "Repeat whole cycles without end; off: the run once, from its onset",
+  save: "WAV",
+  saveHelp: "Download the sound of this run, 48 kHz",
+};
+
+export const RUN = {
+  title: "A longer run",
+  about: "The present settings over up to ten seconds, worked on in the background: onset, slow change, a file to keep.",
+  duration: "Duration",
+  start: "Run",
+  cancel: "Cancel",
+  show: "Show here",
+  files: "Files",
+  wav: "Sound (WAV)",
+  netcdf: "All arrays (netCDF)",
+  csv: "Measures (CSV)",
+  failed: "The run failed.",
+  statuses: {
+    accepted: "Waiting for its turn",
+    running: "Running",
+    successful: "Finished",
+    failed: "Failed",
+    dismissed: "Cancelled",
+  },
+};
+
+export const LOGIN = {
+  title: "This server asks for its token",
+  about: "Whoever started the server finds it in the line it printed.",
+  token: "Token",
+  enter: "Enter",
+  wrong: "That is not the token.",
+};
+
+export const HELP = {
+  title: "Keys and help",
+  close: "Close",
+  keys: [
+    ["Space", "sound on or off"],
+    ["1 – 5", "choose a muscle: TA, CT, LCA, IA, PCA"],
+    ["← →", "move the chosen slider by its step (muscles 0.01)"],
+    ["Shift ← →", "ten steps (muscles 0.1)"],
+    ["M", "motion on or off"],
+    ["[  ]", "one step back or on in the cycle"],
+    ["?", "this page"],
+  ],
+  howTitle: "How to read the page",
+  how: [
+    "Left is the cause: five muscles, breath, tract. The middle is the body: the folds take posture and vibrate. Right and below is the consequence: waves, numbers, sound.",
+    "Everything follows the hand. The dotted line on the stage is where the folds would rest without air.",
+    "Point at a wave to look at that moment: stage and pressure maps follow. The shaded stretch is the cycle they show.",
+    "Tap a number for its definition, expected values and source.",
+  ],
+};
+
+export const DETAIL = { title: "The whole run", time: "time (s)", loading: "Loading the plot", failed: "The plot could not be loaded." };
+
+/** What would help when nothing vibrates, from the values set and the posture they make. */
+export function hintFor(values, posture) {
+  const gapMm = 2e3 * posture.length_m * Math.tan(posture.glottal_half_angle_rad);
+  const pressure = values.subglottal_pressure_pa;
+  const advice = [];
+  if (gapMm > 1) {
+    if (values["activation.pca"] > 0.05) advice.push("less PCA");
+    if (Math.min(values["activation.lca"], values["activation.ia"]) < 0.6) advice.push("more LCA and IA");
+  }
+  if (pressure < 600) advice.push(`more lung pressure (${pressure} Pa is low)`);
+  if (gapMm <= 1 && values["activation.ta"] > 0.6) advice.push("less TA");
+  if (gapMm <= 1 && values["activation.ct"] > 0.7) advice.push("less CT");
+  if (!advice.length) advice.push(gapMm > 1 ? "a posture closer to the midline" : "another lung pressure");
+  const cause = gapMm > 1 ? `The folds stand ${gapMm.toFixed(1)} mm apart at the back. ` : "";
+  return `${cause}Try ${advice.join(", or ")}.`;
+}

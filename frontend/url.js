@@ -1,0 +1,39 @@
+/** The address holds every changed value, so that a copied link is a saved voice. */
+import { effect } from "./ui.js";
+import { changedValues } from "./params.js";
+import { schema, values } from "./state/request.js";
+
+const PAUSE_MS = 300; // browsers refuse more than a few address changes a second
+
+/** {changes, unknown}: values by path from a query string, and names that are no parameter. */
+export function readQuery(knownSchema, query) {
+  const changes = {};
+  const unknown = [];
+  for (const [path, text] of new URLSearchParams(query)) {
+    const row = knownSchema.parameters.get(path);
+    if (!row) unknown.push(path);
+    else changes[path] = row.options || text === "" ? text || null : Number.isFinite(Number(text)) ? Number(text) : text;
+  }
+  return { changes, unknown };
+}
+
+export function writeQuery(knownSchema, allValues) {
+  const query = new URLSearchParams();
+  for (const [path, value] of Object.entries(changedValues(knownSchema, allValues))) query.set(path, value ?? "");
+  return query.toString();
+}
+
+/** Starts keeping the address; returns the end of it. */
+export function followUrl() {
+  let waiting = 0;
+  const stop = effect(() => {
+    if (!schema.value) return;
+    const query = writeQuery(schema.value, values.value);
+    clearTimeout(waiting);
+    waiting = setTimeout(() => history.replaceState(null, "", query ? `?${query}` : location.pathname), PAUSE_MS);
+  });
+  return () => {
+    stop();
+    clearTimeout(waiting);
+  };
+}

@@ -1,0 +1,45 @@
+/** The whole page: one screen on a desk, a sticky stage over tabs on a phone. */
+import { html } from "../ui.js";
+import { Advanced } from "../controls/Advanced.js";
+import { BreathAndTract } from "../controls/BreathAndTract.js";
+import { Muscles } from "../controls/Muscles.js";
+import { TopBar } from "../controls/TopBar.js";
+import { narrow, open } from "../state/look.js";
+import { schema } from "../state/request.js";
+import { announcement, connection, notice } from "../state/session.js";
+import { Detail } from "./Detail.js";
+import { HelpDialog } from "./HelpDialog.js";
+import { Login } from "./Login.js";
+import { Maps } from "./Maps.js";
+import { MeasureDialog } from "./MeasureDialog.js";
+import { Phone } from "./Phone.js";
+import { RightColumn } from "./RightColumn.js";
+import { Stage } from "./Stage.js";
+import { Starting } from "./Starting.js";
+import { Strip } from "./Strip.js";
+
+const DIALOGS = { help: HelpDialog, measure: MeasureDialog, detail: Detail };
+
+/** `entered()` is called when the server has taken a token. */
+export function App({ entered }) {
+  const shown = open.value;
+  const Top = shown && DIALOGS[shown.name];
+  return html`
+    ${connection.value === "login" ? html`<${Login} entered=${entered} />` : !schema.value ? html`<${Starting} />` : narrow.value ? html`<${Phone} />` : html`<${Desk} />`}
+    ${Top && html`<${Top} key=${shown.key ?? shown.name} about=${shown} />`}
+    <p class="notice" role="status">${notice.value}</p>
+    <p class="visually-hidden" aria-live="polite">${announcement.value}</p>
+  `;
+}
+
+function Desk() {
+  return html`
+    <div class="desk">
+      <${TopBar} />
+      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /></aside>
+      <main class="centre"><${Stage} /><${Maps} /></main>
+      <${RightColumn} />
+      <${Strip} />
+    </div>
+  `;
+}

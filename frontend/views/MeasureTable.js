@@ -1,0 +1,39 @@
+/** Every measure with its unit, or the reason why there is none. */
+import { html } from "../ui.js";
+import { openDialog } from "../state/look.js";
+import { result } from "../state/outcome.js";
+import { catalogue } from "../state/request.js";
+import { MEASURE } from "../texts.js";
+import { expected, valueText } from "./measure-text.js";
+
+export function MeasureTable() {
+  if (!catalogue.value) return null;
+  const groups = Map.groupBy([...catalogue.value.values()], (row) => row.group);
+  return html`
+    <div class="measure-table" tabindex="0" role="region" aria-label=${MEASURE.table}>
+      <table>
+        <caption class="visually-hidden">${MEASURE.table}</caption>
+        ${[...groups].map(([group, rows]) => html`
+          <tbody key=${group}>
+            <tr class="measure-group"><th colspan="3" scope="colgroup">${group}</th></tr>
+            ${rows.map((row) => html`<${Row} key=${row.key} row=${row} />`)}
+          </tbody>
+        `)}
+      </table>
+      <p class="caution">${MEASURE.caution}</p>
+    </div>
+  `;
+}
+
+function Row({ row }) {
+  const measure = result.value?.measures[row.key];
+  return html`
+    <tr data-measure=${row.key}>
+      <th scope="row"><button type="button" class="plain" onClick=${() => openDialog("measure", { key: row.key })}>${row.name}</button> <i>${row.symbol}</i>
+        ${measure?.reason && html`<span class="reason">${measure.reason}</span>`}
+      </th>
+      <td class="value">${valueText(measure, row)}</td>
+      <td class="expected">${row.normal_range ? expected(row) : ""}</td>
+    </tr>
+  `;
+}

@@ -1,0 +1,25 @@
+/** The state of phonation in words: what it is, why, and what would help. */
+import { html } from "../ui.js";
+import { failure, posture, result } from "../state/outcome.js";
+import { values } from "../state/request.js";
+import { connection } from "../state/session.js";
+import { APP, STATES, hintFor } from "../texts.js";
+
+export function PhonationState() {
+  const shown = result.value;
+  const state = shown?.state ?? "waiting";
+  const hint = shown?.state === "none" && posture.value ? hintFor(values.value, posture.value.posture) : "";
+  return html`
+    <div class="phonation" data-state=${state}>
+      <p class="phonation-state"><i class="state-mark" aria-hidden="true"></i>${shown ? STATES[state] : APP.waiting}</p>
+      <p class="phonation-why">${lineOf(shown)}${hint && html` <strong>${hint}</strong>`}</p>
+    </div>
+  `;
+}
+
+function lineOf(shown) {
+  if (connection.value === "offline") return APP.offline;
+  if (failure.value) return failure.value;
+  // The state's own name stands above already.
+  return shown ? shown.explanation.replace(/^(Periodic|Subharmonic|Irregular|No phonation|No sustained phonation): /, "") : "";
+}

@@ -1,0 +1,37 @@
+/**
+ * A canvas that follows state. `model()` reads signals and may answer null (nothing to show); `paint(context, box,
+ * model)` draws it in the next frame, once, however often the state changed since the last.
+ */
+import { effect, html, signal, useEffect, useRef } from "../ui.js";
+import { Disposal } from "../dispose.js";
+import { forget, inFrame } from "../frame.js";
+import { prepare } from "../plots/canvas.js";
+
+export function Picture({ model, paint, label, name, handlers = {} }) {
+  const canvas = useRef(null);
+  useEffect(() => follow(canvas.current, model, paint), []);
+  const words = label ? { role: "img", "aria-label": label } : { "aria-hidden": "true" };
+  return html`<canvas ref=${canvas} class="picture" data-picture=${name} ...${words} ...${handlers}></canvas>`;
+}
+
+function follow(canvas, model, paint) {
+  const disposal = new Disposal();
+  const size = signal({ width: 0, height: 0 });
+  const observer = new ResizeObserver(([entry]) => {
+    size.value = { width: entry.contentRect.width, height: entry.contentRect.height };
+  });
+  observer.observe(canvas);
+  disposal.add(() => observer.disconnect());
+  disposal.add(() => forget(canvas));
+  disposal.add(
+    effect(() => {
+      const box = size.value;
+      const shown = model();
+      inFrame(canvas, () => {
+        const context = prepare(canvas, box.width, box.height);
+        if (context && shown) paint(context, box, shown);
+      });
+    }),
+  );
+  return () => disposal.dispose();
+}

@@ -1,0 +1,29 @@
+/** Slow motion: play, the phase of the cycle, and the rate it is shown at. */
+import { html, useComputed } from "../ui.js";
+import { Icon } from "../controls/Icon.js";
+import { RATES, holdPhase, moving, phase, setMoving, setSlowdown, slowdown } from "../state/motion.js";
+import { STAGE } from "../texts.js";
+
+export function Transport() {
+  const percent = useComputed(() => `${Math.floor(phase.value * 100)}`.padStart(2, "\u2007") + " %");
+  const position = useComputed(() => Math.round(phase.value * 1000));
+  const words = useComputed(() => `${Math.floor(phase.value * 100)} percent of the cycle`);
+  return html`
+    <div class="transport">
+      <button type="button" class="icon" aria-label=${moving.value ? STAGE.pause : STAGE.play} title=${`${moving.value ? STAGE.pause : STAGE.play} (M)`} onClick=${() => setMoving(!moving.value)}>
+        <${Icon} name=${moving.value ? "pause" : "play"} />
+      </button>
+      <input
+        class="scrub" type="range" min="0" max="999" step="1" value=${position} aria-label=${STAGE.phase} aria-valuetext=${words}
+        onInput=${(event) => holdPhase(event.target.valueAsNumber / 1000)}
+      />
+      <output class="percent">${percent}</output>
+      <label class="pick speed">
+        <span class="visually-hidden">${STAGE.speed}</span>
+        <select value=${slowdown.value} onChange=${(event) => setSlowdown(Number(event.target.value))}>
+          ${RATES.map((n) => html`<option value=${n}>${STAGE.speedOf(n)}</option>`)}
+        </select>
+      </label>
+    </div>
+  `;
+}

@@ -1,0 +1,16 @@
+/** Sentences about a measure. Pure. */
+import { numberText } from "../plots/axis.js";
+
+/** "usual 1.3 – 2.8", in the unit shown. */
+export function expected(row, { factor = 1, decimals = row.decimals } = {}) {
+  const { low, high } = row.normal_range;
+  const text = (v) => numberText(v * factor, decimals);
+  const short = (v) => text(v).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+  return low === high ? `usual ${short(low)}` : `usual ${short(low)} – ${short(high)}`;
+}
+
+/** Value with unit, or a dash. */
+export function valueText(measure, row) {
+  if (!measure || measure.value === null) return "–";
+  return `${numberText(measure.value, row.decimals)}${row.unit === "1" ? "" : ` ${row.unit}`}`;
+}

@@ -1,0 +1,28 @@
+"""``python -m vocalis_server``: serve, or with ``--warm`` only compile the kernels (for images)."""
+
+import argparse
+
+from vocalis_server.kernels import Kernels
+from vocalis_server.serve import serve
+from vocalis_server.settings import Settings
+
+
+def main() -> None:
+    """Options; what is left out comes from the environment (VOCALIS_*)."""
+    default = Settings()
+    parser = argparse.ArgumentParser(prog="python -m vocalis_server", description=__doc__)
+    parser.add_argument("--host", default=default.host, help="address to listen on (default %(default)s)")
+    parser.add_argument("--port", type=int, default=default.port, help="port (default %(default)s); 0: any free one")
+    parser.add_argument("--token", help="what everybody must show; made up on a public address when left out")
+    parser.add_argument("--tls-cert", help="certificate file (PEM)")
+    parser.add_argument("--tls-key", help="key file (PEM)")
+    parser.add_argument("--warm", action="store_true", help="compile the kernels into the cache and exit")
+    options = parser.parse_args()
+    if options.warm:
+        Kernels().compile()
+    else:
+        serve(options.host, options.port, options.token, options.tls_cert, options.tls_key)
+
+
+if __name__ == "__main__":
+    main()

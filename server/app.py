@@ -1,0 +1,49 @@
+"""The application: settings in, routes and safeguards together."""
+
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+
+from fastapi import FastAPI
+from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
+
+import vfcore
+from vocalis_server import errors, openapi
+from vocalis_server.guard import Guard
+from vocalis_server.jobs.document import API
+from vocalis_server.routes import catalogue, events, jobs, page, posture, results, session, simulate
+from vocalis_server.services import Services
+from vocalis_server.settings import Settings
+
+#: Octets gain little by compression, and an answer while a hand moves has no time for it.
+NOT_COMPRESSED = (*DEFAULT_EXCLUDED_CONTENT_TYPES, "application/octet-stream", "application/x-netcdf")
+
+
+def create_app(settings: Settings | None = None) -> FastAPI:
+    """The ASGI application of one server process."""
+    services = Services.of(settings or Settings())
+    app = FastAPI(
+        title="Vocalis",
+        summary="From five laryngeal muscles to vibrating vocal folds, pressures, measures and sound.",
+        version=vfcore.CODE_VERSION,
+        lifespan=_lifespan,
+        docs_url=None,  # its scripts come from another site
+        redoc_url=None,
+        openapi_url=f"{API}/openapi.json",
+    )
+    app.state.services = services
+    for module in (catalogue, posture, simulate, jobs, results, events, session):
+        app.include_router(module.router, prefix=API)
+    errors.install(app)
+    openapi.install(app)
+    page.install(app)
+    app.add_middleware(GZipMiddleware, compresslevel=5, exclude_content_types=NOT_COMPRESSED)
+    app.add_middleware(Guard, access=services.access, body_bytes=services.settings.body_bytes)
+    return app
+
+
+@asynccontextmanager
+async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
+    services: Services = app.state.services
+    services.start()
+    yield
+    services.close()

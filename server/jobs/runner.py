@@ -1,0 +1,93 @@
+"""The worker process: takes one piece of work after the other from a pipe, and answers on it.
+
+In:  ("run", kind, request) · ("stop",)
+Out: ("progress", fraction) · ("result", frames) followed by so many frames of bytes · ("problem", document) ·
+     ("stopped",)
+
+It ends when the other end of the pipe is closed. A result travels as pickle protocol 5, its arrays out of
+band, each in a frame of its own: no copy is made to serialise them.
+"""
+
+import os
+import pickle
+import signal
+import time
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from typing import Any
+
+NICENESS = 10
+PROGRESS_EVERY_S = 0.1
+
+Progress = Callable[[float], None]
+Stop = Callable[[], bool]
+
+
+def _simulation(request: dict[str, Any], progress: Progress, stop: Stop) -> Any:
+    from vfcore.request import simulation_from_dict
+    from vfcore.simulate import simulate
+
+    return simulate(simulation_from_dict(request), progress, stop)
+
+
+#: What a worker can do, by kind of job.
+KINDS: dict[str, Callable[[dict[str, Any], Progress, Stop], Any]] = {"simulation": _simulation}
+
+
+def serve_work(pipe: Connection) -> None:
+    """Main function of a worker process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C in a terminal reaches the whole group; the server ends us
+    os.nice(NICENESS)
+    while True:
+        try:
+            order, *rest = pipe.recv()
+            if order == "run":
+                _answer(pipe, *rest)
+        except (EOFError, BrokenPipeError):
+            return
+
+
+def _answer(pipe: Connection, kind: str, request: dict[str, Any]) -> None:
+    from vfcore.errors import Cancelled
+    from vocalis_server.problems import problem_of
+
+    try:
+        result = KINDS[kind](request, _Throttled(pipe), lambda: _stop_asked(pipe))
+    except Cancelled:
+        pipe.send(("stopped",))
+    except EOFError:
+        raise
+    except Exception as error:
+        pipe.send(("problem", problem_of(error)))
+    else:
+        frames: list[pickle.PickleBuffer] = []
+        head = pickle.dumps(result, protocol=5, buffer_callback=frames.append)
+        pipe.send(("result", len(frames) + 1))
+        pipe.send_bytes(head)
+        for frame in frames:
+            pipe.send_bytes(frame.raw())
+
+
+def read_result(pipe: Connection, frames: int) -> Any:
+    """The other end of ("result", frames)."""
+    head, *arrays = [pipe.recv_bytes() for _ in range(frames)]
+    return pickle.loads(head, buffers=arrays)
+
+
+def _stop_asked(pipe: Connection) -> bool:
+    """Between chunks, only ("stop",) can be in the pipe."""
+    return pipe.poll() and pipe.recv() == ("stop",)
+
+
+class _Throttled:
+    """Progress, but not more often than anybody can see."""
+
+    def __init__(self, pipe: Connection):
+        self._pipe = pipe
+        self._next = 0.0
+
+    def __call__(self, fraction: float) -> None:
+        now = time.monotonic()
+        if now >= self._next:
+            self._next = now + PROGRESS_EVERY_S
+            self._pipe.send(("progress", fraction))

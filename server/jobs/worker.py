@@ -1,0 +1,101 @@
+"""One worker process, seen from the server: started when there is work, replaced when it died."""
+
+import multiprocessing
+import threading
+import time
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from vocalis_server.jobs.runner import read_result, serve_work
+
+_SPAWN = multiprocessing.get_context("spawn")  # a fork would copy threads' locks in whatever state they are
+LISTEN_S = 0.05
+PATIENCE_S = 0.7  # to stop between chunks; then the process is ended
+
+
+class Finished(NamedTuple):
+    result: Any
+
+
+class Failed(NamedTuple):
+    problem: dict[str, Any]
+
+
+class Stopped(NamedTuple):
+    pass
+
+
+class Died(NamedTuple):
+    exit_code: int | None
+
+
+Outcome = Finished | Failed | Stopped | Died
+
+
+class Worker:
+    """Used by one thread at a time, except ``close``."""
+
+    def __init__(self) -> None:
+        self._process: multiprocessing.process.BaseProcess | None = None
+        self._pipe: Any = None
+
+    @property
+    def pid(self) -> int | None:
+        """Process id; None when there is no process."""
+        return self._process.pid if self._process else None
+
+    def run(
+        self, kind: str, request: dict[str, Any], progress: Callable[[float], None], stop: threading.Event
+    ) -> Outcome:
+        """Have work done; returns when it is finished, failed, stopped, or the process died."""
+        deadline = None
+        try:
+            self._ensure()
+            self._pipe.send(("run", kind, request))
+            while True:
+                if deadline is None and stop.is_set():
+                    self._pipe.send(("stop",))
+                    deadline = time.monotonic() + PATIENCE_S
+                if deadline is not None and time.monotonic() > deadline:
+                    self.close()
+                    return Stopped()
+                if not self._pipe.poll(LISTEN_S):
+                    continue
+                word, *rest = self._pipe.recv()
+                if word == "progress":
+                    progress(*rest)
+                elif word == "result":
+                    return Finished(read_result(self._pipe, *rest))
+                elif word == "problem":
+                    return Failed(*rest)
+                elif word == "stopped":
+                    return Stopped()
+        except (EOFError, OSError):
+            exit_code = self._bury()
+            return Stopped() if stop.is_set() else Died(exit_code)
+
+    def close(self) -> None:
+        """End the process now."""
+        if self._process is not None:
+            self._process.kill()
+            self._bury()
+
+    def _ensure(self) -> None:
+        if self._process is not None and self._process.is_alive():
+            return
+        self.close()
+        self._pipe, theirs = _SPAWN.Pipe()
+        self._process = _SPAWN.Process(target=serve_work, args=(theirs,), name="vocalis-worker", daemon=True)
+        self._process.start()
+        theirs.close()
+
+    def _bury(self) -> int | None:
+        process, self._process = self._process, None
+        if process is None:  # it could not be started, or another thread was here first
+            return None
+        process.join(1.0)
+        if process.is_alive():
+            process.kill()
+            process.join(1.0)
+        self._pipe.close()
+        return process.exitcode

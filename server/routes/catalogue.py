@@ -1,0 +1,45 @@
+"""What there is: health, parameters, measures."""
+
+from functools import lru_cache
+from typing import Any
+
+from fastapi import APIRouter
+from fastapi.responses import JSONResponse
+
+import vfcore
+from vfcore.schema import parameter_catalogue
+from vocalis_server import schemas
+from vocalis_server.openapi import problems
+from vocalis_server.services import Shared
+
+router = APIRouter(tags=["catalogue"], responses=problems())
+
+
+@router.get("/health")
+async def health(shared: Shared) -> schemas.Health:
+    """Whether the server is there and its kernels are compiled; needs no token."""
+    return schemas.Health(
+        status="ok",
+        version=vfcore.CODE_VERSION,
+        model_version=vfcore.MODEL_VERSION,
+        engine=schemas.EngineState(name="processes", workers=shared.settings.workers),
+        ready=shared.kernels.ready,
+        message=shared.kernels.message,
+    )
+
+
+@router.get("/parameters", responses={200: {"model": schemas.Parameters}})
+def parameters() -> JSONResponse:
+    """Every parameter with unit, range, default and help; presets, vowels, variants."""
+    return JSONResponse(_parameters())
+
+
+@lru_cache(maxsize=1)
+def _parameters() -> dict[str, Any]:
+    return parameter_catalogue()
+
+
+@router.get("/measures", responses={200: {"model": schemas.Measures}})
+def measures() -> JSONResponse:
+    """The catalogue of voice measures: symbol, unit, definition, formula, threshold, source."""
+    return JSONResponse({"measures": vfcore.CATALOGUE.as_rows()})

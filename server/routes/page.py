@@ -1,0 +1,77 @@
+"""The page and what it needs: static files, Plotly's bundle from the installed package, the way in."""
+
+import gzip
+from functools import lru_cache
+from importlib.metadata import version
+from importlib.resources import files
+from pathlib import Path
+
+from fastapi import APIRouter, FastAPI, HTTPException, Request, Response
+from fastapi.responses import FileResponse
+from fastapi.staticfiles import StaticFiles
+
+from vocalis_server.guard import LOGIN
+from vocalis_server.services import Shared
+
+router = APIRouter(include_in_schema=False)
+DAY_S, YEAR_S = 86_400, 365 * 86_400
+LOGIN_FILES = Path(__file__).parent.parent / "login"
+
+
+def page_directory() -> Path:
+    """The folder of the page's files."""
+    return Path(str(files("vocalis_frontend")))
+
+
+@router.get("/")
+def index(request: Request, shared: Shared) -> Response:
+    """The page; makes the browser a client."""
+    path = page_directory() / "index.html"
+    if not path.is_file():
+        raise HTTPException(404, "The files of the page are not installed; the API is there.")
+    response = FileResponse(path)
+    shared.access.introduce(request, response)
+    return response
+
+
+@router.get(LOGIN)
+@router.get(f"{LOGIN}.{{ending}}")
+def login(ending: str = "html") -> Response:
+    """The page that asks for the token."""
+    if ending not in ("html", "js", "css"):
+        raise HTTPException(404)
+    return FileResponse(LOGIN_FILES / f"login.{ending}")
+
+
+@router.get("/vendor/plotly.min.js")
+def plotly(request: Request) -> Response:
+    """Plotly's bundle: kept by browsers for a day, or for a year when asked for by its version (``?v=``)."""
+    installed = version("plotly")
+    age = f"max-age={YEAR_S}, immutable" if request.query_params.get("v") == installed else f"max-age={DAY_S}"
+    etag = f'W/"plotly-{installed}"'
+    headers = {"ETag": etag, "Cache-Control": f"private, {age}", "Vary": "Accept-Encoding"}
+    if etag in request.headers.get("if-none-match", ""):
+        return Response(status_code=304, headers=headers)
+    packed = "gzip" in request.headers.get("accept-encoding", "")
+    if packed:
+        headers["Content-Encoding"] = "gzip"
+    return Response(_plotly(packed), headers=headers, media_type="text/javascript")
+
+
+@lru_cache(maxsize=2)
+def _plotly(packed: bool) -> bytes:
+    content = files("plotly").joinpath("package_data/plotly.min.js").read_bytes()
+    return gzip.compress(content, 6) if packed else content
+
+
+class PageFiles(StaticFiles):
+    """The folder without what makes it a Python package."""
+
+    def lookup_path(self, path: str):
+        return ("", None) if path.endswith((".py", ".pyc")) else super().lookup_path(path)
+
+
+def install(app: FastAPI) -> None:
+    """Serve the page; to be called when all other routes are there."""
+    app.include_router(router)
+    app.mount("/", PageFiles(directory=page_directory()), name="page")

@@ -1,0 +1,89 @@
+"""What a finished job gives: document, arrays, sound, files."""
+
+from typing import Annotated, Literal
+
+from fastapi import APIRouter, Query, Response
+from fastapi.responses import JSONResponse
+
+from vfcore.audio import render, to_wav_bytes
+from vfcore.document import result_document
+from vfcore.errors import ParameterError
+from vfcore.files.csv import csv_text
+from vfcore.files.netcdf import netcdf_bytes
+from vfcore.result import ARRAYS
+from vocalis_server import schemas
+from vocalis_server.encoding import octets as as_octets
+from vocalis_server.openapi import octets, problems
+from vocalis_server.services import Shared
+
+router = APIRouter(prefix="/jobs/{job_id}", tags=["results"])
+OCTETS, WAV, NETCDF, CSV = "application/octet-stream", "audio/wav", "application/x-netcdf", "text/csv"
+_PROBLEMS = problems(404, 409, 410, 422)
+_ARRAY_HEADERS = {
+    "X-Shape": "lengths of the axes, comma between",
+    "X-Dims": "names of the axes",
+    "X-Unit": "unit of the values",
+    "X-Sample-Rate-Hz": "of waveforms: values per second",
+}
+
+
+@router.get("/result", responses={200: {"model": schemas.Result}} | _PROBLEMS)
+def result(job_id: str, shared: Shared) -> JSONResponse:
+    """State of phonation, measures, posture, coefficients, and what arrays there are."""
+    return JSONResponse(result_document(shared.desk.result(job_id)))
+
+
+@router.get(
+    "/arrays/{name}",
+    response_class=Response,
+    responses={200: octets("Little-endian float32, C order.", OCTETS, _ARRAY_HEADERS)} | _PROBLEMS,
+)
+def array(
+    job_id: str,
+    name: Literal[tuple(ARRAYS)],
+    shared: Shared,
+    start: Annotated[int, Query(ge=0, description="first index on the first axis")] = 0,
+    stop: Annotated[int | None, Query(ge=0, description="index after the last")] = None,
+    stride: Annotated[int, Query(ge=1, le=10**9)] = 1,
+) -> Response:
+    """One array, or every ``stride``-th entry of a part of it."""
+    found = shared.desk.result(job_id)
+    length = len(found.arrays[name])
+    stop = length if stop is None else stop
+    for path, value, most in (("stop", stop, length), ("start", start, stop)):
+        if value > most:
+            raise ParameterError(path, f"{value} is beyond the end", f"0 to {most}")
+    part, spec = found.arrays[name][start:stop:stride], ARRAYS[name]
+    headers = {"X-Shape": ",".join(map(str, part.shape)), "X-Dims": ",".join(spec.dims), "X-Unit": spec.unit}
+    if spec.dims[0] == "time":
+        headers["X-Sample-Rate-Hz"] = repr(found.provenance.sample_rate_hz / stride)
+    return Response(as_octets(part), headers=headers, media_type=OCTETS)
+
+
+@router.get(
+    "/audio.wav",
+    response_class=Response,
+    responses={200: octets("48 kHz, 16 bit, mono.", WAV, {"X-Gain": "full scales per Pa; 0: silence"})} | _PROBLEMS,
+)
+def audio(job_id: str, shared: Shared, normalize: bool = True) -> Response:
+    """The radiated pressure as sound, peaking at −3 dBFS; with ``normalize=false`` at the one gain of all runs."""
+    found = shared.desk.result(job_id)
+    sound = render(found.arrays["radiated_pressure_pa"], found.provenance.sample_rate_hz)
+    content, gain = to_wav_bytes(sound, normalize, phonating=found.report.state != "none")
+    return Response(content, headers={"X-Gain": repr(gain)} | _named(job_id, "wav"), media_type=WAV)
+
+
+@router.get("/result.nc", response_class=Response, responses={200: octets("netCDF-4 with units.", NETCDF)} | _PROBLEMS)
+def netcdf(job_id: str, shared: Shared) -> Response:
+    """Everything in one netCDF-4 file, with units and provenance."""
+    return Response(netcdf_bytes(shared.desk.result(job_id)), headers=_named(job_id, "nc"), media_type=NETCDF)
+
+
+@router.get("/result.csv", response_class=Response, responses={200: octets("One row per measure.", CSV)} | _PROBLEMS)
+def csv(job_id: str, shared: Shared) -> Response:
+    """The measures as a table."""
+    return Response(csv_text(shared.desk.result(job_id)), headers=_named(job_id, "csv"), media_type=CSV)
+
+
+def _named(job_id: str, ending: str) -> dict[str, str]:
+    return {"Content-Disposition": f'attachment; filename="vocalis-{job_id[:8]}.{ending}"'}

@@ -1,0 +1,66 @@
+"""POST /simulate: a short run, answered in one go."""
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query, Request, Response
+from fastapi.responses import JSONResponse
+
+from vfcore.document import result_document
+from vfcore.errors import ParameterError
+from vfcore.params import Simulation
+from vfcore.result import SimulationResult
+from vfcore.simulate import simulate as run_simulation
+from vocalis_server import schemas
+from vocalis_server.cost import check_cost
+from vocalis_server.encoding import bundle, chosen_names
+from vocalis_server.jobs.content import canonical, content_hash
+from vocalis_server.jobs.document import result_links
+from vocalis_server.openapi import problems
+from vocalis_server.request_schema import SimulationBody, simulation_of
+from vocalis_server.services import Services, Shared
+
+router = APIRouter(tags=["simulate"])
+OCTETS = "application/octet-stream"
+_OK = {
+    "model": schemas.SimulateAnswer,
+    "description": "The result. As octets: uint32 little-endian header length, JSON header (this document, each of "
+    "the chosen arrays with its `offset` from the start of the data), then the arrays, little-endian float32.",
+    "content": {OCTETS: {"schema": {"type": "string", "format": "binary"}}},
+}
+
+
+@router.post("/simulate", responses={200: _OK} | problems(415, 422, 503))
+async def simulate(
+    body: SimulationBody,
+    request: Request,
+    shared: Shared,
+    arrays: Annotated[str | None, Query(description="names of arrays, comma between; all when left out")] = None,
+) -> Response:
+    """Run at most 2 simulated seconds; arrays and audio can then be had under ``id`` as for a job."""
+    wanted = simulation_of(body)
+    names = chosen_names(arrays)
+    as_octets = OCTETS in request.headers.get("accept", "")
+
+    def work() -> Response:
+        content, result = _result(shared, wanted)
+        document: dict[str, Any] = {"id": content} | result_document(result) | {"links": result_links(content)}
+        return Response(bundle(document, result, names), media_type=OCTETS) if as_octets else JSONResponse(document)
+
+    return await shared.runs.run(work, request.is_disconnected)
+
+
+def _result(shared: Services, request: Simulation) -> tuple[str, SimulationResult]:
+    """The kept result of a request, or a new one."""
+    content = content_hash(canonical(request))
+    result = shared.results.get(content)
+    if result is None:
+        limit = shared.settings.simulate_duration_s
+        if request.run.duration_s > limit:
+            raise ParameterError(
+                "run.duration_s", f"{request.run.duration_s:g} s is too long to wait for",
+                f"up to {limit:g} s; POST /jobs takes longer runs",
+            )  # fmt: skip
+        check_cost(request, shared.settings.simulate_node_steps, "VOCALIS_SIMULATE_NODE_STEPS")
+        result = run_simulation(request, stop=lambda: shared.events.closed)
+        shared.results.put(content, result)
+    return content, result

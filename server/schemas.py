@@ -1,0 +1,146 @@
+"""Answers at the wire: what the OpenAPI document promises. Units stand in the names."""
+
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from vfcore.closure import PATTERNS
+from vfcore.result import ARRAYS
+
+
+class FieldError(BaseModel):
+    """One field that cannot be used."""
+
+    path: str = Field(description="dotted path of the field")
+    message: str = Field(description="what is wrong with its value")
+    allowed: str = Field(description="what would be accepted")
+
+
+class Problem(BaseModel):
+    """RFC 9457 problem details."""
+
+    type: str
+    title: str
+    status: int
+    detail: str
+    errors: list[FieldError] | None = None
+
+
+class EngineState(BaseModel):
+    name: str
+    workers: int
+
+
+class Health(BaseModel):
+    status: Literal["ok"]
+    version: str
+    model_version: str
+    engine: EngineState
+    ready: bool = Field(description="whether the kernels are compiled")
+    message: str = Field(description="the same in words")
+
+
+class Parameters(BaseModel):
+    """Every parameter as a row; presets, vowels and variants."""
+
+    parameters: list[dict[str, Any]]
+    groups: list[str]
+    presets: list[dict[str, Any]]
+    vowels: list[dict[str, Any]]
+    variants: list[dict[str, Any]]
+
+
+class Measures(BaseModel):
+    measures: list[dict[str, Any]]
+
+
+class Posture(BaseModel):
+    strain: float
+    glottal_half_angle_rad: float
+    raw_glottal_half_angle_rad: float
+    length_m: float
+    residual: float | None
+    converged: bool
+
+
+class Coefficients(BaseModel):
+    """The tilde quantities of the paper."""
+
+    membrane_tension_n_m: float
+    beam_tension_n: float
+    bending_stiffness_n_m2: float
+    prestress_moment_n_m: float
+    membrane_density_kg_m2: float
+    beam_density_kg_m: float
+
+
+class StaticShape(BaseModel):
+    """Along x, anterior first: displacements, and the medial plane at the same edges, in the fold frame."""
+
+    x_m: list[float]
+    superior_m: list[float]
+    inferior_m: list[float]
+    beam_m: list[float]
+    medial_superior_m: list[float]
+    medial_inferior_m: list[float]
+    closed_fraction: float
+    closure_pattern: Literal[PATTERNS]
+
+
+class PostureAnswer(BaseModel):
+    posture: Posture
+    coefficients: Coefficients
+    static_shape: StaticShape
+
+
+class MeasuredValue(BaseModel):
+    value: float | None
+    unit: str
+    reason: str | None = Field(description="why there is no value")
+
+
+class ArrayInfo(BaseModel):
+    shape: list[int]
+    dtype: Literal["float32"]
+    unit: str
+    dims: list[str]
+
+
+class Result(BaseModel):
+    """A finished simulation, but for the arrays themselves."""
+
+    model_config = ConfigDict(extra="allow")
+    phonation_state: Literal["none", "periodic", "subharmonic", "irregular"]
+    periodicity: float | None
+    measures: dict[str, MeasuredValue]
+    posture: Posture
+    coefficients: Coefficients
+    static_shape: StaticShape
+    arrays: dict[Literal[tuple(ARRAYS)], ArrayInfo]
+    provenance: dict[str, Any]
+
+
+class SimulateAnswer(Result):
+    id: str = Field(description="address of the result, as for a job")
+    links: dict[str, str]
+
+
+class JobAnswer(BaseModel):
+    id: str
+    kind: Literal["simulation", "sweep"]
+    status: Literal["accepted", "running", "successful", "failed", "dismissed"]
+    progress: float = Field(ge=0, le=1)
+    n_done: int
+    n_total: int
+    n_failed: int
+    created: str
+    started: str | None
+    finished: str | None
+    request: dict[str, Any]
+    problem: Problem | None
+    links: dict[str, str]
+
+
+class JobList(BaseModel):
+    jobs: list[JobAnswer]
+    next_cursor: str | None = Field(description="cursor of the next page; null on the last one")

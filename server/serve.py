@@ -1,0 +1,84 @@
+"""Start the server, say once where it is, stop it cleanly."""
+
+import logging
+import socket
+import sys
+
+import uvicorn
+
+from vocalis_server.access import is_loopback
+from vocalis_server.app import create_app
+from vocalis_server.services import Services
+from vocalis_server.settings import Settings
+
+GRACE_S = 1  # for answers under way when the server is stopped
+
+
+def serve(
+    host: str = "127.0.0.1",
+    port: int = 8000,
+    token: str | None = None,
+    tls_cert: str | None = None,
+    tls_key: str | None = None,
+) -> None:
+    """Serve until SIGINT or SIGTERM.
+
+    On an address that others can reach everybody must show a token: ``token``, VOCALIS_TOKEN, or one made up and
+    printed once. Exits with one line when the address cannot be used.
+    """
+    given = {"token": token, "tls_cert": tls_cert, "tls_key": tls_key}
+    settings = Settings(host=host, port=port, **{name: value for name, value in given.items() if value is not None})
+    logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
+    listener = _listen(settings.host, settings.port)
+    app = create_app(settings)
+    config = uvicorn.Config(
+        app,
+        log_config=None,
+        access_log=False,
+        server_header=False,
+        timeout_graceful_shutdown=GRACE_S,
+        ssl_certfile=settings.tls_cert,
+        ssl_keyfile=settings.tls_key,
+    )
+    _Server(config, app.state.services, _address(settings, listener)).run(sockets=[listener])
+
+
+class _Server(uvicorn.Server):
+    """Says where it is once it answers, and ends event streams before it waits for open connections."""
+
+    def __init__(self, config: uvicorn.Config, services: Services, address: str):
+        super().__init__(config)
+        self._services, self._address = services, address
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        if self.started:
+            _greet(self._services, self._address)
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        self._services.events.close()
+        await super().shutdown(sockets)
+
+
+def _greet(services: Services, address: str) -> None:
+    print(f"Vocalis: {address} (Ctrl-C stops it)", flush=True)
+    settings, token = services.settings, services.access.token
+    if token is not None and settings.token is None:
+        # After the #, so that no browser sends it and no log keeps it.
+        print(f"Everybody needs this token, shown once: {token}\nSign in: {address}/login#{token}", flush=True)
+    if settings.tls_cert is None and not is_loopback(settings.host):
+        print("The connection is not encrypted; --tls-cert and --tls-key make it so.", flush=True)
+
+
+def _address(settings: Settings, listener: socket.socket) -> str:
+    scheme = "https" if settings.tls_cert else "http"
+    host = f"[{settings.host}]" if ":" in settings.host else settings.host
+    return f"{scheme}://{host}:{listener.getsockname()[1]}"
+
+
+def _listen(host: str, port: int) -> socket.socket:
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    try:
+        return socket.create_server((host, port), family=family)
+    except OSError as error:
+        sys.exit(f"vocalis: cannot listen on {host}:{port}: {error.strerror or error}; try another --port or --host")

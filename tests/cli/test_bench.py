@@ -1,0 +1,66 @@
+"""The benchmarks measure what they say: the plain loop is the same voice, the count is that of the source."""
+
+import json
+
+import numpy as np
+import pytest
+
+from vfcore.kernels.layout import Layout
+from vfcore.params import Run, Simulation
+from vfcore.simulate import prepare, simulate
+from vocalis_bench.count import Counted, CountedArray, count_step
+from vocalis_bench.reference import plain_run
+from vocalis_bench.rounds import interleaved
+from vocalis_cli.main import main
+
+
+def rate(area, sample_s):
+    """Cycles per second of the second half of an area wave, from its upward crossings of a third of the peak."""
+    late = area[len(area) // 2 :]
+    level = late.max() / 3
+    before, after = late[:-1], late[1:]
+    at = np.flatnonzero((before < level) & (after >= level))
+    exact = at + (level - before[at]) / (after[at] - before[at])
+    return (len(exact) - 1) / ((exact[-1] - exact[0]) * sample_s)
+
+
+def test_the_plain_loop_is_the_same_voice():
+    request = Simulation(run=Run(duration_s=0.3))
+    area = plain_run(prepare(request).fold, request.subglottal_pressure_pa, 0.3)
+    product = simulate(request).arrays["glottal_area_m2"]
+    assert rate(area[::4], 1 / 35000) == pytest.approx(rate(product, 1 / 35000), rel=1e-3)
+    assert area.max() == pytest.approx(product.max(), rel=5e-3)
+
+
+def test_counted_numbers_count():
+    Counted.tally.update(dict.fromkeys(Counted.tally, 0))
+    a = CountedArray([2.0, 3.0])
+    value = 1.0 + a[0] * a[1] - max(a[0], 0.5) / 4
+    a[1] = value
+    assert value == 6.5 and a[1] == 6.5
+    assert Counted.tally == {"arithmetic": 4, "comparisons": 1, "accesses": 5}
+
+
+def test_a_step_costs_in_proportion_to_its_nodes():
+    small, large = count_step(20, 10), count_step(20, 20)
+    columns = Layout(20, 10).columns
+    per_node = (large["arithmetic"] - small["arithmetic"]) / (10 * columns)
+    assert 30 < per_node < 100  # about twenty terms in flow, contact and membrane, two or three operations each
+    assert per_node * 10 * columns < small["arithmetic"] < 1.2 * per_node * 10 * columns
+
+
+def test_rounds_are_interleaved_and_the_first_does_not_count():
+    order = []
+    seconds = interleaved({"a": lambda: order.append("a"), "b": lambda: order.append("b")}, 3)
+    assert order == ["a", "b"] * 4
+    assert set(seconds) == {"a", "b"} and all(0 <= value < 0.1 for value in seconds.values())
+
+
+def test_the_table_is_json_too(capsys):
+    assert main(["bench", "--quick", "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    rows = {row["key"]: row for row in document["rows"]}
+    assert {"posture_us", "static_ms", "kernel_s", "kernel_paper_step_s", "stored_s", "reference_ratio"} <= set(rows)
+    assert rows["stored_s"]["target"] == 0.08 and rows["stored_s"]["value"] > rows["kernel_s"]["value"] > 0
+    assert rows["kernel_paper_step_s"]["value"] > 4 * rows["kernel_s"]["value"]
+    assert document["machine"]["cores"] >= 1

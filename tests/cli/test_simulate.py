@@ -1,0 +1,123 @@
+"""`vocalis simulate` in a process of its own: the same numbers as Python, files that say the same, prompt help."""
+
+import csv
+import json
+import os
+import pty
+import subprocess
+import sys
+import time
+import wave
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+from vfcore.document import result_document
+from vfcore.params import Activation, Run, Simulation
+from vfcore.simulate import simulate
+
+VOCALIS = Path(sys.executable).with_name("vocalis")
+REQUEST = Simulation(activation=Activation(ct=0.5, ta=0.3), vowel="i", run=Run(duration_s=0.6))
+ARGUMENTS = ["simulate", "--ct", "0.5", "--ta", "0.3", "--vowel", "i", "--duration", "0.6"]
+
+
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory):
+    """One real run with every kind of output: the process and the folder of its files."""
+    folder = tmp_path_factory.mktemp("simulate")
+    files = [f"--{kind}={folder / f'voice.{kind}'}" for kind in ("wav", "netcdf", "csv")]
+    done = subprocess.run([VOCALIS, *ARGUMENTS, "--json", *files], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done, folder
+
+
+@pytest.fixture(scope="module")
+def result():
+    return simulate(REQUEST)
+
+
+def test_json_is_the_answer_of_the_python_api(finished, result):
+    printed = json.loads(finished[0].stdout, parse_constant=lambda name: pytest.fail(f"{name} is not JSON"))
+    expected = json.loads(json.dumps(result_document(result)))
+    for document in (printed, expected):
+        for key in ("created", "kernel_seconds"):
+            assert document["provenance"].pop(key)
+    assert printed == expected
+    assert printed["phonation_state"] == "periodic"
+
+
+def test_nothing_but_the_files_is_reported_beside_json(finished):
+    assert [line.split()[0] for line in finished[0].stderr.splitlines() if line.startswith("wrote")] == ["wrote"] * 3
+    assert "compiling" not in finished[0].stderr and "\x1b" not in finished[0].stderr
+
+
+def test_the_sound_has_the_reported_pitch(finished):
+    """By the autocorrelation of the written samples, not by the area that the product measures."""
+    with wave.open(str(finished[1] / "voice.wav")) as file:
+        assert (file.getframerate(), file.getsampwidth(), file.getnchannels()) == (48000, 2, 1)
+        samples = np.frombuffer(file.readframes(file.getnframes()), dtype="<i2").astype(float)
+    assert len(samples) == pytest.approx(0.6 * 48000, abs=2)
+    assert np.abs(samples).max() == pytest.approx(32767 * 10 ** (-3 / 20), abs=2)
+    steady = samples[len(samples) // 2 :] - samples[len(samples) // 2 :].mean()
+    correlation = np.fft.irfft(np.abs(np.fft.rfft(steady, 2 * len(steady))) ** 2)[: len(steady) // 2]
+    correlation /= np.arange(len(steady), len(steady) - len(correlation), -1)
+    period = 48000 // 400 + int(np.argmax(correlation[48000 // 400 : 48000 // 70]))
+    left, peak, right = correlation[period - 1 : period + 2]
+    period += 0.5 * (left - right) / (left - 2 * peak + right)
+    reported = json.loads(finished[0].stdout)["measures"]["fo_hz"]["value"]
+    assert 48000 / period == pytest.approx(reported, rel=5e-3)
+
+
+def test_the_files_say_what_the_json_says(finished):
+    measures = json.loads(finished[0].stdout)["measures"]
+    with xarray.open_dataset(finished[1] / "voice.netcdf", engine="h5netcdf") as stored:
+        in_netcdf = {key: float(stored[f"measure_{key}"]) for key in measures}
+        assert stored["glottal_flow_m3_s"].attrs["units"] == "m3 s-1" and stored.sizes["time"] == 21000
+    with (finished[1] / "voice.csv").open(newline="") as file:
+        in_csv = {row["key"]: row["value"] for row in csv.DictReader(file)}
+    for key, measure in measures.items():
+        if measure["value"] is None:
+            assert np.isnan(in_netcdf[key]) and in_csv[key] == ""
+        else:
+            assert in_netcdf[key] == float(in_csv[key]) == measure["value"]
+
+
+def test_a_terminal_sees_compiling_and_the_run():
+    reader, terminal = pty.openpty()
+    environment = os.environ | {"TERM": "xterm", "COLUMNS": "100"}
+    process = subprocess.Popen(
+        [VOCALIS, "simulate", "--duration", "5"], stdout=subprocess.PIPE, stderr=terminal, env=environment, text=True
+    )
+    table, _ = process.communicate(timeout=120)
+    os.close(terminal)
+    seen = b""
+    while True:
+        try:
+            block = os.read(reader, 65536)
+        except OSError:  # Linux: the other end is closed
+            break
+        if not block:
+            break
+        seen += block
+    os.close(reader)
+    assert process.returncode == 0
+    assert b"compiling kernels" in seen and b"simulating 5 s" in seen
+    assert "fundamental frequency" in table and "Hz" in table and "cmH" in table
+
+
+def test_help_comes_at_once():
+    seconds = []
+    for _ in range(3):
+        began = time.perf_counter()
+        done = subprocess.run([VOCALIS, "--help"], capture_output=True, text=True)
+        seconds.append(time.perf_counter() - began)
+    assert done.returncode == 0 and "thyroarytenoid" in done.stdout
+    assert min(seconds) < 1.5
+
+
+def test_a_reader_that_leaves_is_no_error():
+    command = f"{VOCALIS} simulate --duration 0.05 --json | head -n 1"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True)
+    assert done.stdout == "{\n" and done.stderr == ""

@@ -1,0 +1,76 @@
+"""A run that leaves all bounds is caught where it starts, and told with time, place and a remedy."""
+
+import re
+import sys
+
+import numpy as np
+import pytest
+
+import vfcore
+from tests.support.fold_harness import MODAL, advance, product_and_twin
+from vfcore.assemble import membrane
+from vfcore.errors import DivergenceError, VocalisError
+from vfcore.march import LARGEST_DISPLACEMENT_M, March
+from vfcore.params import Run, Simulation
+from vfcore.stability import SAFETY, longest_stable_step_s
+
+
+def too_long_step(fold):
+    return 1.5 * longest_stable_step_s(fold) / SAFETY
+
+
+def diverging(fold):
+    march = March(fold, too_long_step(fold), 1000.0)
+    march.start_flat()
+    return march
+
+
+def test_it_names_the_first_step_and_node_beyond_the_bound():
+    fold, _ = product_and_twin(**MODAL)
+    with pytest.raises(DivergenceError) as caught:
+        diverging(fold).run(4000)
+    error = caught.value
+    march = diverging(fold)
+    steps = round(error.time_s / march.time_step_s)
+    assert steps * march.time_step_s == pytest.approx(error.time_s, rel=1e-12)
+    advance(march, steps - 1)
+    assert np.abs(membrane(march.buffer, fold)).max() < LARGEST_DISPLACEMENT_M
+    advance(march, 1)
+    beyond = np.abs(membrane(march.buffer, fold)) >= LARGEST_DISPLACEMENT_M
+    j, i = error.y_over_b * (fold.ny - 1), error.x_over_L * (fold.nx - 1)
+    assert beyond[round(j), round(i)]
+
+
+def test_the_sentence_has_time_place_reason_and_remedy():
+    fold, _ = product_and_twin(**MODAL)
+    with pytest.raises(DivergenceError) as caught:
+        diverging(fold).run(4000)
+    text, error = str(caught.value), caught.value
+    assert isinstance(error, VocalisError)
+    assert re.search(rf"t = {error.time_s * 1e3:.3f} ms, at x/L = {error.x_over_L:.2f}, y/b = {error.y_over_b:.2f}", text)
+    assert "passed 20 mm" in text
+    assert f"Try a step below {too_long_step(fold):.3g} s" in error.remedy
+
+
+def test_it_is_caught_in_the_chunk_in_which_it_starts():
+    fold, _ = product_and_twin(**MODAL)
+    fractions = []
+    with pytest.raises(DivergenceError) as caught:
+        diverging(fold).run(100_000, progress=fractions.append)
+    reached = len(fractions) * 5e-3
+    assert reached <= caught.value.time_s <= reached + 5.2e-3
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_a_state_that_is_not_a_larynx_any_more_is_refused(value):
+    fold, _ = product_and_twin(**MODAL)
+    march = March(fold, 1e-6, 0.0)
+    membrane(march.buffer, fold)[3, 7] = value
+    with pytest.raises(DivergenceError):
+        march.run(10)
+
+
+def test_a_whole_run_that_diverges_gives_the_error_and_no_result(monkeypatch):
+    monkeypatch.setattr(sys.modules["vfcore.simulate"], "time_step_s", lambda run, fold: too_long_step(fold))
+    with pytest.raises(DivergenceError, match=r"the run diverged at t = .* ms"):
+        vfcore.simulate(Simulation(run=Run(duration_s=0.2)))

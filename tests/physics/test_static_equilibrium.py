@@ -1,0 +1,91 @@
+"""The direct static solve is the equilibrium: of the twin's relaxation, of the product's own damped motion, of itself."""
+
+import numpy as np
+import pytest
+
+from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin
+from vfcore.assemble import beam, membrane, with_constants
+from vfcore.march import March
+from vfcore.params import DEFAULT_STEP_S
+from vfcore.statics import static_shape_of
+
+POSTURES = {
+    "modal, closed": MODAL,
+    "posterior opening": {"strain": 0.022, "a_ta": 0.4, "theta_g": 0.06},
+    "wide open": {"strain": -0.004, "a_ta": 0.4, "theta_g": 0.192},
+    "short, pressed": {"strain": -0.315, "a_ta": 1.0, "theta_g": 0.0},
+    "long, straight": {"strain": 0.23, "a_ta": 0.0, "theta_g": 0.018},
+    "bowed": {"strain": 0.1, "a_ta": 0.0, "theta_g": 0.0},
+    "diverging": MODAL | {"theta_conv": -0.02},
+    "superior edge stiff": MODAL | {"coupling_gradient": "superior_stiff"},
+    "hard contact": MODAL | {"K_col_pa_m": 1e8},
+    "odd grid": {"strain": 0.022, "a_ta": 0.4, "theta_g": 0.06, "nx": 21, "ny": 11},
+}
+CASES = pytest.mark.parametrize(
+    ("posture", "shear"),
+    [(posture, shear) for posture in POSTURES.values() for shear in SHEARS],
+    ids=[f"{name}, {shear}" for name in POSTURES for shear in SHEARS],
+)
+
+
+@CASES
+def test_the_direct_solve_equals_the_twins_relaxation(posture, shear):
+    fold, twin = product_and_twin(**posture, shear=shear)
+    shape = static_shape_of(fold)
+    w_m, w_b = twin.static_shape_reference(error_m=1e-9)
+    assert np.abs(shape.w_m.T - w_m).max() < 1e-6 * twin.k.L
+    assert np.abs(shape.w_b - w_b).max() < 1e-6 * twin.k.L
+
+
+@CASES
+def test_the_direct_solve_equals_the_products_own_damped_motion_from_flat(posture, shear):
+    fold, _ = product_and_twin(**posture, shear=shear)
+    shape, heavy = static_shape_of(fold), with_constants(fold, C_coup_pa_s_m=150.0, C_foun_pa_s=40.0)
+    march = March(heavy, DEFAULT_STEP_S, 0.0)
+    march.start_flat()
+    advance(march, round(0.5 / DEFAULT_STEP_S))
+    length = fold.coefficients.length_m
+    assert np.abs(membrane(march.buffer, fold) - shape.w_m).max() < 1e-6 * length
+    assert np.abs(beam(march.buffer, fold) - shape.w_b).max() < 1e-6 * length
+
+
+@CASES
+def test_every_force_balances_at_the_static_shape(posture, shear):
+    """Accelerations there against that of a 1 nm displacement of the slowest mode."""
+    fold, twin = product_and_twin(**posture, shear=shear)
+    shape = static_shape_of(fold)
+    phi = np.diff(shape.w_m, axis=0)[:, 1:-1].T / fold.dy if shear == "rotation" else twin.zero_state().phi
+    rest = twin.zero_state()._replace(w_m=shape.w_m[:, 1:-1].T, w_b=shape.w_b[1:-1], phi=phi)
+    a_m, a_b, _ = twin.acceleration(rest, 0.0)
+    scale = 1e-9 * (2 * np.pi * twin.mode_frequencies(1)[0]) ** 2
+    assert np.abs(a_m).max() < scale and np.abs(a_b).max() < scale
+    assert shape.iterations <= 10
+
+
+@pytest.mark.parametrize("shear", SHEARS)
+@pytest.mark.parametrize("name", ["modal, closed", "wide open", "bowed"])
+def test_a_run_from_the_static_shape_without_pressure_stays_there(name, shear):
+    fold, _ = product_and_twin(**POSTURES[name], shear=shear)
+    shape, march = static_shape_of(fold), March(fold, DEFAULT_STEP_S, 0.0)
+    march.start_static(shape)
+    advance(march, 700)
+    assert np.abs(membrane(march.buffer, fold) - shape.w_m).max() < 1e-12
+    assert np.abs(get_state(march).w_b - shape.w_b[1:-1]).max() < 1e-12
+    assert np.abs(shape.w_m).max() > 1e-5
+
+
+def test_the_ends_are_held_and_the_shape_says_on_which_grid_it_stands():
+    fold, twin = product_and_twin(**MODAL)
+    shape = static_shape_of(fold)
+    assert shape.w_m.shape == shape.medial_m.shape == (10, 20)
+    assert not shape.w_m[:, [0, -1]].any() and not shape.w_b[[0, -1]].any()
+    assert shape.x_m == pytest.approx(twin.x) and shape.y_m == pytest.approx(twin.y)
+    assert shape.medial_m == pytest.approx(twin.medial.T)
+
+
+def test_the_closure_is_read_from_the_smallest_gap_of_each_slice():
+    fold, _ = product_and_twin(**POSTURES["wide open"])
+    shape = static_shape_of(fold)
+    gap = 2 * np.maximum(shape.medial_m - shape.w_m, 0).min(axis=0)
+    assert shape.closure.open_area_m2 == pytest.approx(np.trapezoid(gap, shape.x_m), rel=1e-12)
+    assert shape.closure.pattern == "open"

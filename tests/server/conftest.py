@@ -1,0 +1,20 @@
+"""One server for all tests that need no settings of their own."""
+
+import secrets
+
+import pytest
+
+from tests.server.live_server import Live, serving
+
+
+@pytest.fixture(scope="session")
+def live() -> Live:
+    with serving() as server:
+        yield server
+
+
+@pytest.fixture
+def client(live):
+    """A client of its own: no other test sees its jobs."""
+    with live.client(Authorization=f"Bearer {secrets.token_hex(8)}") as made:
+        yield made

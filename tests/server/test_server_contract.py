@@ -1,0 +1,125 @@
+"""The calls of the outside contract that answer at once, key by key, and against the Python core."""
+
+import json
+import struct
+
+import numpy as np
+import pytest
+
+import vfcore
+from tests.server.live_server import SHORT
+from vfcore.request import numeric_paths, simulation_from_dict
+from vfcore.result import ARRAYS
+from vfcore.simulate import prepare
+
+OCTETS = {"Accept": "application/octet-stream"}
+
+
+def test_health_says_version_engine_and_that_kernels_are_ready(client):
+    answer = client.get("/health").json()
+    assert answer["status"] == "ok"
+    assert answer["version"] == vfcore.CODE_VERSION
+    assert answer["model_version"] == vfcore.MODEL_VERSION
+    assert set(answer["engine"]) == {"name", "workers"} and answer["engine"]["workers"] >= 1
+    assert answer["ready"] is True
+    assert "ready" in answer["message"]
+
+
+def test_parameters_lists_every_number_a_request_may_set(client):
+    answer = client.get("/parameters").json()
+    rows = {row["key"]: row for row in answer["parameters"]}
+    assert set(numeric_paths()) <= set(rows)
+    assert {"key", "label", "unit", "default", "min", "max", "step", "group", "help"} <= set(rows["activation.ta"])
+    assert {"presets", "vowels", "variants"} <= set(answer)
+    assert "modal" in [preset["key"] for preset in answer["presets"]]
+
+
+def test_every_preset_is_a_request_that_can_be_used(client):
+    for preset in client.get("/parameters").json()["presets"]:
+        answer = client.post("/posture", json=preset["request"])
+        assert answer.status_code == 200, (preset["key"], answer.text)
+
+
+def test_measures_is_the_catalogue(client):
+    rows = client.get("/measures").json()["measures"]
+    assert [row["key"] for row in rows] == list(vfcore.CATALOGUE.keys())
+    assert all({"symbol", "unit", "definition", "formula", "source"} <= set(row) for row in rows)
+
+
+def test_posture_answers_what_the_core_finds(client):
+    body = {"kind": "simulation", "activation": {"ct": 0.7}}
+    answer = client.post("/posture", json=body).json()
+    ready = prepare(simulation_from_dict(body))
+    assert set(answer) >= {"posture", "coefficients", "static_shape"}
+    assert answer["posture"]["strain"] == ready.posture.strain
+    assert answer["posture"]["converged"] is True
+    assert answer["coefficients"]["beam_tension_n"] == ready.fold.coefficients.beam_tension_n
+    shape = answer["static_shape"]
+    assert shape["closure_pattern"] == ready.static.closure.pattern
+    np.testing.assert_array_equal(shape["superior_m"], ready.static.w_m[0])
+    np.testing.assert_array_equal(shape["medial_inferior_m"], ready.static.medial_m[-1])
+
+
+def test_a_posture_given_directly_skips_the_muscles(client):
+    answer = client.post("/posture", json={"posture": {"strain": 0.2, "glottal_half_angle_rad": 0.004}}).json()
+    assert answer["posture"]["strain"] == 0.2
+    assert answer["posture"]["glottal_half_angle_rad"] == 0.004
+
+
+@pytest.fixture(scope="module")
+def python_result():
+    return vfcore.simulate(simulation_from_dict(SHORT))
+
+
+def test_simulate_answers_the_result_document_and_an_id(client, python_result):
+    answer = client.post("/simulate", json=SHORT).json()
+    assert answer["phonation_state"] == python_result.report.state
+    assert set(answer["measures"]) == set(vfcore.CATALOGUE.keys())
+    for key, measure in python_result.report.measures.items():
+        assert answer["measures"][key] == {"value": measure.value, "unit": measure.unit, "reason": measure.reason}
+    assert set(answer["arrays"]) == set(ARRAYS)
+    assert answer["arrays"]["cycle_w_m"]["shape"] == [100, 20, 10]
+    assert answer["provenance"]["model_version"] == vfcore.MODEL_VERSION
+    assert client.get(f"/jobs/{answer['id']}/result").json()["measures"] == answer["measures"]
+
+
+def test_the_same_request_has_the_same_id_however_it_is_written(client):
+    written_out = {"kind": "simulation", "subglottal_pressure_pa": 1000, "run": {"duration_s": 0.1, "nx": 20}}
+    assert client.post("/simulate", json=SHORT).json()["id"] == client.post("/simulate", json=written_out).json()["id"]
+    other = client.post("/simulate", json=SHORT | {"subglottal_pressure_pa": 1001}).json()
+    assert other["id"] != client.post("/simulate", json=SHORT).json()["id"]
+
+
+def read_bundle(content: bytes):
+    """The page's own reading of a bundle: header, and each array by its offset."""
+    (length,) = struct.unpack("<I", content[:4])
+    header, data = json.loads(content[4 : 4 + length]), content[4 + length :]
+    assert (4 + length) % 4 == 0, "a Float32Array needs an aligned start"
+    arrays = {}
+    for name, entry in header["arrays"].items():
+        assert entry["offset"] % 4 == 0 and entry["dtype"] == "float32"
+        count = int(np.prod(entry["shape"]))
+        arrays[name] = np.frombuffer(data, "<f4", count, entry["offset"]).reshape(entry["shape"])
+    assert len(data) == 4 * sum(array.size for array in arrays.values())
+    return header, arrays
+
+
+def test_octets_carry_every_array_of_the_python_result(client, python_result):
+    answer = client.post("/simulate", json=SHORT, headers=OCTETS)
+    assert answer.headers["content-type"] == "application/octet-stream"
+    header, arrays = read_bundle(answer.content)
+    assert header["phonation_state"] == python_result.report.state and header["id"]
+    assert set(arrays) == set(ARRAYS)
+    for name, array in arrays.items():
+        np.testing.assert_array_equal(array, python_result.arrays[name].astype(np.float32), err_msg=name)
+        assert header["arrays"][name]["unit"] == ARRAYS[name].unit
+        assert header["arrays"][name]["dims"] == list(ARRAYS[name].dims)
+
+
+def test_octets_can_be_restricted_to_chosen_arrays(client):
+    answer = client.post("/simulate?arrays=glottal_area_m2,cycle_wb_m", json=SHORT, headers=OCTETS)
+    _, arrays = read_bundle(answer.content)
+    assert list(arrays) == ["glottal_area_m2", "cycle_wb_m"]
+    refused = client.post("/simulate?arrays=loudness", json=SHORT, headers=OCTETS)
+    assert refused.status_code == 422
+    assert refused.json()["errors"][0]["path"] == "arrays"

@@ -1,0 +1,166 @@
+"""Every refusal is a problem document that says what is wrong and what would be accepted."""
+
+import pytest
+
+from tests.server.live_server import LONG, SHORT, finish, run, serving
+from vfcore.errors import PostureError
+
+JSON = {"Content-Type": "application/json"}
+
+
+def problem(answer, status: int) -> dict:
+    assert answer.status_code == status, answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    body = answer.json()
+    assert body["status"] == status and body["type"] and body["title"] and body["detail"]
+    return body
+
+
+@pytest.mark.parametrize("path", ["/posture", "/simulate", "/jobs"])
+@pytest.mark.parametrize(
+    "body, field, allowed",
+    [
+        ({"activation": {"ta": 1.5}}, "activation.ta", "0 to 1"),
+        ({"activation": {"ta": "0.5"}}, "activation.ta", "0 to 1"),
+        ({"activation": {"ta": True}}, "activation.ta", "0 to 1"),
+        ({"activation": {"tta": 0.5}}, "activation.tta", "ca"),
+        ({"volume": 11}, "volume", "subglottal_pressure_pa"),
+        ({"constants": {"K_colour": 1}}, "constants.K_colour", "GET /api/v1/parameters"),
+        ({"constants": {"K_col_pa_m": 1}}, "constants.K_col_pa_m", "10000 to 1e+09 Pa/m"),
+        ({"constants": {"LCA_epsilon_2": -1}}, "constants.LCA_epsilon_2", "to 1"),
+        ({"vowel": "x"}, "vowel", "i | I"),
+        ({"kind": "sweep", "base": {}, "axes": []}, "kind", "simulation"),
+        ({"kind": "song"}, "kind", "simulation"),
+    ],
+)
+def test_a_bad_field_is_named_with_what_it_takes(client, path, body, field, allowed):
+    errors = problem(client.post(path, json=body), 422)["errors"]
+    (found,) = [error for error in errors if error["path"] == field]
+    assert found["message"] and allowed in found["allowed"]
+
+
+def test_a_sweep_is_refused_in_words(client):
+    detail = problem(client.post("/jobs", json={"kind": "sweep", "base": {}}), 422)["detail"]
+    assert "only simulations" in detail
+
+
+def test_all_bad_fields_are_told_at_once(client):
+    body = {"activation": {"ta": 2, "ct": -1}, "vowel": "x"}
+    paths = [error["path"] for error in problem(client.post("/posture", json=body), 422)["errors"]]
+    assert paths == ["activation.ta", "activation.ct", "vowel"]
+
+
+@pytest.mark.parametrize("number", ["NaN", "Infinity", "-Infinity", "1e999"])
+def test_numbers_that_are_none_are_refused(client, number):
+    answer = client.post("/posture", content=f'{{"subglottal_pressure_pa": {number}}}', headers=JSON)
+    assert problem(answer, 422)["errors"][0]["path"] == "subglottal_pressure_pa"
+
+
+@pytest.mark.parametrize("content", ["{", "[]", "null", "3", ""])
+def test_a_body_that_is_no_object_is_refused(client, content):
+    problem(client.post("/posture", content=content, headers=JSON), 422)
+
+
+def test_a_body_that_cannot_be_read_is_400(client):
+    problem(client.post("/posture", content=b"\xff\xfe{", headers=JSON), 400)
+    problem(client.post("/posture", content="[" * 50_000, headers=JSON), 400)
+
+
+def test_a_body_of_another_type_is_415(client):
+    body = problem(client.post("/posture", content="{}", headers={"Content-Type": "text/plain"}), 415)
+    assert "application/json" in body["detail"] and "text/plain" in body["detail"]
+
+
+def test_what_is_not_there_and_what_cannot_be_done_are_problems_too(client):
+    problem(client.get("/nothing"), 404)
+    problem(client.get("/jobs/nothing"), 404)
+    problem(client.delete("/jobs/nothing"), 404)
+    assert "POST" in problem(client.get("/posture"), 405)["title"] or client.get("/posture").headers["allow"] == "POST"
+
+
+def test_posture_takes_no_run(client):
+    errors = problem(client.post("/posture", json={"run": {"nx": 30}}), 422)["errors"]
+    assert errors[0]["path"] == "run"
+
+
+def test_a_step_too_long_for_the_grid_is_refused_before_it_runs(client):
+    for path in ("/simulate", "/jobs"):
+        body = {"run": {"time_step_s": 5e-4, "duration_s": 0.1}}
+        errors = problem(client.post(path, json=body), 422)["errors"]
+        assert errors[0]["path"] == "run.time_step_s" and "up to" in errors[0]["allowed"]
+
+
+def test_a_run_that_diverges_says_where_and_what_to_try(client):
+    body = {"subglottal_pressure_pa": 5000, "constants": {"K_coup_min_pa_m": 0, "K_coup_max_pa_m": 0}}
+    detail = problem(client.post("/simulate", json=body), 422)["detail"]
+    assert "diverged at t =" in detail and "Try" in detail
+
+
+def test_a_run_too_long_to_wait_for_is_refused_with_the_limit(client):
+    errors = problem(client.post("/simulate", json={"run": {"duration_s": 2.1}}), 422)["errors"]
+    assert errors[0] == {
+        "path": "run.duration_s",
+        "message": "2.1 s is too long to wait for",
+        "allowed": "up to 2 s; POST /jobs takes longer runs",
+    }
+
+
+def test_a_run_of_too_many_nodes_and_steps_is_refused_with_the_limit(client):
+    fine = {"run": {"duration_s": 0.02, "nx": 200, "ny": 100}}
+    assert "node-steps (VOCALIS_SIMULATE_NODE_STEPS)" in problem(client.post("/simulate", json=fine), 422)["detail"]
+    huge = {"run": {"duration_s": 60, "nx": 200, "ny": 100, "time_step_s": 1e-8}}
+    assert "node-steps (VOCALIS_JOB_NODE_STEPS)" in problem(client.post("/jobs", json=huge), 422)["detail"]
+
+
+def test_a_body_too_large_is_413_whether_it_says_so_or_not(client):
+    large = b'{"kind": "' + b"x" * 70_000 + b'"}'
+    assert "65536 bytes" in problem(client.post("/posture", content=large, headers=JSON), 413)["detail"]
+    chunks = iter([large[:40_000], large[40_000:]])
+    assert "65536 bytes" in problem(client.post("/posture", content=chunks, headers=JSON), 413)["detail"]
+
+
+def test_too_many_jobs_are_429_with_the_limit_and_when_to_come_back():
+    with serving(jobs_per_client=3, queue_length=1, workers=1) as server, server.client() as client:
+        jobs = [run(client, LONG | {"fresh": True}) for _ in range(2)]
+        answer = client.post("/jobs", json=LONG | {"fresh": True})
+        assert "1 jobs in the queue" in problem(answer, 429)["detail"] and int(answer.headers["retry-after"]) > 0
+        client.delete(f"/jobs/{jobs[1]['id']}")
+        jobs.append(run(client, LONG | {"fresh": True}))
+        with server.client(Authorization="Bearer other") as other:
+            problem(other.post("/jobs", json=SHORT), 429)
+        for job in jobs:
+            client.delete(f"/jobs/{job['id']}")
+    with serving(jobs_per_client=1) as server, server.client() as client:
+        job = run(client, LONG)
+        answer = client.post("/jobs", json=SHORT)
+        assert "1 unfinished jobs of one client" in problem(answer, 429)["detail"]
+        assert run(client, LONG)["id"] == job["id"], "a job one has already is not one more"
+        client.delete(f"/jobs/{job['id']}")
+
+
+def test_results_make_room_for_newer_ones_and_say_so():
+    with serving(result_bytes=2**20) as server, server.client() as client:
+        first = finish(client, run(client, SHORT))
+        client.post("/simulate", json={"run": {"duration_s": 0.5}})
+        assert "the same request makes it again" in problem(client.get(f"/jobs/{first['id']}/result"), 410)["detail"]
+        again = finish(client, run(client, SHORT))
+        assert client.get(f"/jobs/{again['id']}/result").status_code == 200
+
+
+def test_what_nobody_foresaw_is_a_problem_without_its_inside(client, monkeypatch, caplog):
+    def broken(*_):
+        raise RuntimeError("a secret of the server")
+
+    monkeypatch.setattr("vocalis_server.routes.posture.prepare", broken)
+    answer = client.post("/posture", json={})
+    assert "secret" not in problem(answer, 500)["detail"]
+    assert answer.headers["content-security-policy"], "an error page is protected like any other"
+    assert "a secret of the server" in caplog.text
+
+
+def test_a_larynx_without_posture_is_told_in_the_cores_words(client, monkeypatch):
+    def none(*_):
+        raise PostureError("no root was reached from rest")
+
+    monkeypatch.setattr("vocalis_server.routes.posture.prepare", none)
+    assert problem(client.post("/posture", json={}), 422)["detail"] == "no root was reached from rest"

@@ -1,0 +1,78 @@
+"""The wheel alone, in an environment that has nothing else, serves the page: how Windows users start too."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+import urllib.request
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+READY_WITHIN_S = 120  # kernels are compiled from nothing
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory) -> Path:
+    """Built from a copy, so that no build folder is left in the project."""
+    source, out = tmp_path_factory.mktemp("source") / "vocalis", tmp_path_factory.mktemp("dist")
+    ignored = shutil.ignore_patterns(".git", ".venv", "build", "*.egg-info", "__pycache__", "tests", "out", ".*_cache")
+    shutil.copytree(ROOT, source, ignore=ignored)
+    subprocess.run(
+        [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(out), str(source)], check=True
+    )
+    return next(out.glob("vocalis-*.whl"))
+
+
+def test_the_wheel_holds_page_and_data_under_names_that_collide_with_nothing(wheel):
+    names = zipfile.ZipFile(wheel).namelist()
+    assert "vocalis_frontend/index.html" in names
+    assert "vocalis_frontend/vendor/preact.js" in names
+    assert "vfcore/data/story2008_area_functions.json" in names
+    top = {name.split("/")[0] for name in names if not name.split("/")[0].endswith(".dist-info")}
+    assert all(name == "vfcore" or name.startswith("vocalis_") for name in top), top
+
+
+def test_the_wheel_in_an_empty_environment_serves_the_page(wheel, tmp_path):
+    environment = tmp_path / "env"
+    subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)
+    bin_folder = environment / ("Scripts" if os.name == "nt" else "bin")
+    subprocess.run([bin_folder / "python", "-m", "pip", "install", "--quiet", str(wheel)], check=True)
+    clean = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "NUMBA", "VOCALIS"))}
+    server = subprocess.Popen(
+        [bin_folder / "vocalis", "serve", "--port", "0"],
+        cwd=tmp_path,
+        env=clean | {"VOCALIS_DATA": str(tmp_path / "data"), "PYTHONUNBUFFERED": "1"},
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        address = server.stdout.readline().split()[1].rstrip("/")
+        page = urllib.request.urlopen(address + "/", timeout=20).read().decode()
+        assert "Vocalis" in page
+        assert urllib.request.urlopen(address + "/vendor/plotly.min.js", timeout=20).status == 200
+        _wait_until_ready(address)
+        request = urllib.request.Request(
+            address + "/api/v1/simulate",
+            data=json.dumps({"kind": "simulation", "run": {"duration_s": 0.5}}).encode(),
+            headers={"Content-Type": "application/json"},
+        )
+        result = json.load(urllib.request.urlopen(request, timeout=60))
+        assert result["phonation_state"] == "periodic"
+    finally:
+        server.terminate()
+        server.wait(timeout=20)
+
+
+def _wait_until_ready(address: str) -> None:
+    deadline = time.monotonic() + READY_WITHIN_S
+    while time.monotonic() < deadline:
+        health = json.load(urllib.request.urlopen(address + "/api/v1/health", timeout=20))
+        if health["ready"]:
+            return
+        time.sleep(0.5)
+    raise AssertionError(f"not ready within {READY_WITHIN_S} s: {health}")

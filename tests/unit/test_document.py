@@ -1,0 +1,111 @@
+"""Documents are the outside contract: these keys, plain numbers, null with a reason, strict JSON."""
+
+import dataclasses
+import json
+import math
+
+import numpy as np
+import pytest
+
+import vfcore
+from vfcore.document import json_text, posture_document, result_document
+from vfcore.measures.measure import Measure
+from vfcore.params import Activation, PostureOverride, Run, Simulation
+from vfcore.request import simulation_from_dict
+from vfcore.simulate import prepare, simulate
+
+MODAL = Simulation(run=Run(duration_s=0.3))
+SILENT = Simulation(activation=Activation(pca=1.0), subglottal_pressure_pa=50.0, run=Run(duration_s=0.1))
+
+
+@pytest.fixture(scope="module")
+def modal():
+    return simulate(MODAL)
+
+
+def test_posture_answers_with_the_keys_of_the_contract():
+    document = posture_document(prepare(MODAL))
+    assert set(document["posture"]) == {
+        "strain", "glottal_half_angle_rad", "raw_glottal_half_angle_rad", "length_m", "residual", "converged",
+    }  # fmt: skip
+    assert set(document["coefficients"]) == {
+        "membrane_tension_n_m", "beam_tension_n", "bending_stiffness_n_m2", "prestress_moment_n_m",
+        "membrane_density_kg_m2", "beam_density_kg_m",
+    }  # fmt: skip
+    assert set(document["static_shape"]) == {
+        "x_m", "superior_m", "inferior_m", "beam_m", "medial_superior_m", "medial_inferior_m", "closed_fraction",
+        "closure_pattern",
+    }  # fmt: skip
+    assert document["null_reasons"] == {}
+    # hand values of the paper's formulas at this posture
+    assert document["posture"]["strain"] == pytest.approx(0.057, abs=5e-4)
+    assert document["coefficients"]["membrane_tension_n_m"] == pytest.approx(7.25, rel=2e-3)
+    assert document["coefficients"]["beam_tension_n"] == pytest.approx(1.86, rel=2e-3)
+
+
+def test_edges_of_the_static_shape_are_superior_first():
+    """Under TA the inferior edge leads; the medial plane converges, so it lies farther out at the inferior edge."""
+    request = Simulation(activation=Activation(lca=0.5, ia=0.5, ct=0.1, ta=0.6), convergence_angle_rad=0.05)
+    prepared = prepare(request)
+    shape = posture_document(prepared)["static_shape"]
+    middle = len(shape["x_m"]) // 2
+    assert shape["inferior_m"][middle] > shape["superior_m"][middle]
+    assert shape["medial_inferior_m"][0] > shape["medial_superior_m"][0] == 0.0
+    assert shape["x_m"][-1] == pytest.approx(prepared.posture.length_m)
+    assert {len(shape[name]) for name in shape if name.endswith("_m")} == {request.run.nx}
+
+
+def test_a_result_is_strict_json_with_the_contract_s_keys(modal):
+    document = json.loads(json_text(result_document(modal)))
+    assert {
+        "phonation_state", "explanation", "periodicity", "measures", "posture", "coefficients", "arrays", "provenance",
+    } <= set(document)  # fmt: skip
+    assert document["phonation_state"] == "periodic"
+    assert set(document["measures"]) == set(vfcore.CATALOGUE.keys())
+    for name, array in document["arrays"].items():
+        assert array["shape"] == list(modal.arrays[name].shape) and array["dtype"] == "float32"
+        assert array["unit"] == vfcore.ARRAYS[name].unit and len(array["dims"]) == len(array["shape"])
+
+
+def test_the_provenance_is_enough_to_run_it_again(modal):
+    provenance = result_document(modal)["provenance"]
+    again = simulate(simulation_from_dict(json.loads(json_text(provenance["request"]))))
+    assert np.array_equal(again.arrays["glottal_flow_m3_s"], modal.arrays["glottal_flow_m3_s"])
+    assert provenance["time_step_s"] == pytest.approx(0.0025 / 350 * 4)
+
+
+def test_what_is_missing_says_why():
+    document = result_document(simulate(SILENT))
+    assert document["phonation_state"] == "none" and document["periodicity"] is None
+    assert document["null_reasons"]["periodicity"] == document["explanation"]
+    missing = [measure for measure in document["measures"].values() if measure["value"] is None]
+    assert len(missing) > 10
+    assert all(measure["reason"] for measure in missing)
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+def test_a_measure_that_is_not_finite_becomes_null_with_a_reason(modal, value):
+    report = dataclasses.replace(modal.report, measures=modal.report.measures | {"fo_hz": Measure(value, "Hz")})
+    document = result_document(dataclasses.replace(modal, report=report))
+    assert document["measures"]["fo_hz"]["value"] is None
+    assert "finite" in document["measures"]["fo_hz"]["reason"]
+    assert json_text(document)
+
+
+def test_any_other_number_that_is_not_finite_becomes_null_with_its_path(modal):
+    broken = dataclasses.replace(modal, posture=dataclasses.replace(modal.posture, residual=math.nan))
+    document = result_document(broken)
+    assert document["posture"]["residual"] is None
+    assert "finite" in document["null_reasons"]["posture.residual"]
+
+
+def test_a_given_posture_is_a_posture_too():
+    given = Simulation(posture=PostureOverride(strain=0.2, glottal_half_angle_rad=0.004))
+    posture = json.loads(json_text(posture_document(prepare(given))))["posture"]
+    assert (posture["strain"], posture["glottal_half_angle_rad"]) == (0.2, 0.004)
+    assert posture["length_m"] == pytest.approx(0.018) and posture["converged"] is True
+
+
+def test_json_refuses_what_is_not_json():
+    with pytest.raises(ValueError):
+        json_text({"value": math.nan})

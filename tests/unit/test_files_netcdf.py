@@ -1,0 +1,110 @@
+"""A netCDF file holds the whole result with units, for any netCDF reader, and appears whole or not at all."""
+
+import io
+import json
+
+import numpy as np
+import pytest
+import xarray
+
+from vfcore.files.hdf5 import Variable, write_variables
+from vfcore.files.netcdf import netcdf_bytes, request_of, write_netcdf
+from vfcore.measures.catalogue import CATALOGUE
+from vfcore.params import Activation, Run, Simulation
+from vfcore.request import simulation_from_dict
+from vfcore.result import ARRAYS
+from vfcore.simulate import simulate
+
+
+@pytest.fixture(scope="module")
+def result():
+    return simulate(Simulation(activation=Activation(ct=0.31), run=Run(duration_s=0.2, nx=14, ny=6)))
+
+
+@pytest.fixture(scope="module")
+def dataset(result, tmp_path_factory):
+    path = tmp_path_factory.mktemp("netcdf") / "result.nc"
+    write_netcdf(result, path)
+    with xarray.open_dataset(path, engine="h5netcdf") as opened:
+        yield opened.load()
+
+
+def test_every_array_comes_back_exactly_with_dimensions_and_units(dataset, result):
+    for name, spec in ARRAYS.items():
+        assert dataset[name].dims == spec.dims
+        assert np.array_equal(dataset[name].values, result.arrays[name], equal_nan=True)
+        assert dataset[name].values.dtype == np.float64
+        assert (dataset[name].attrs["units"], dataset[name].attrs["long_name"]) == (spec.unit, spec.label)
+    assert dict(dataset.sizes) == {"time": len(result.arrays["time_s"]), "x": 14, "y": 6, "phase": 100}
+
+
+def test_every_measure_is_there_with_unit_or_reason(dataset, result):
+    missing = 0
+    for spec in CATALOGUE:
+        measure, variable = result.report.measures[spec.key], dataset[f"measure_{spec.key}"]
+        assert variable.attrs["units"] == measure.unit and variable.attrs["long_name"] == spec.name
+        if measure.value is None:
+            missing += 1
+            assert np.isnan(variable) and variable.attrs["reason"] == measure.reason
+        else:
+            assert float(variable) == measure.value and "reason" not in variable.attrs
+    assert missing > 0
+
+
+def test_posture_and_coefficients_carry_their_units(dataset, result):
+    assert float(dataset["posture_strain"]) == result.posture.strain
+    assert float(dataset["coefficient_prestress_moment_n_m"]) == result.coefficients.prestress_moment_n_m
+    assert dataset["coefficient_prestress_moment_n_m"].attrs["units"] == "N m"
+    assert dataset["coefficient_membrane_tension_n_m"].attrs["units"] == "N m-1"
+
+
+def test_the_file_says_what_it_is_and_how_to_make_it_again(dataset, result):
+    assert simulation_from_dict(request_of(dataset.attrs)) == result.request
+    assert dataset.attrs["phonation_state"] == result.report.state
+    for name in ("model_version", "code_version", "numba_version", "created", "time_step_s", "sample_rate_hz"):
+        assert dataset.attrs[name] == getattr(result.provenance, name)
+    assert "Serry" in dataset.attrs["references"]
+
+
+def test_the_octets_are_the_same_file(dataset, result):
+    with xarray.open_dataset(io.BytesIO(netcdf_bytes(result)), engine="h5netcdf") as opened:
+        assert opened.equals(dataset) and opened.attrs == dataset.attrs
+
+
+def test_nothing_phonating_still_makes_a_file(tmp_path):
+    silent = simulate(Simulation(activation=Activation(pca=1.0), subglottal_pressure_pa=50.0, run=Run(duration_s=0.05)))
+    write_netcdf(silent, tmp_path / "silent.nc")
+    with xarray.open_dataset(tmp_path / "silent.nc", engine="h5netcdf") as opened:
+        assert opened.attrs["phonation_state"] == "none" and np.isnan(opened.attrs["periodicity"])
+        assert np.isnan(opened["measure_fo_hz"]) and opened["measure_fo_hz"].attrs["reason"]
+
+
+def test_a_failed_write_leaves_the_old_file_and_nothing_else(result, tmp_path, monkeypatch):
+    path = tmp_path / "result.nc"
+    path.write_text("old")
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("vfcore.files.netcdf.write_variables", full)
+    with pytest.raises(OSError, match="No space"):
+        write_netcdf(result, path)
+    assert path.read_text() == "old" and [item.name for item in tmp_path.iterdir()] == ["result.nc"]
+
+
+def test_a_written_file_has_ordinary_permissions(result, tmp_path):
+    (tmp_path / "plain").write_text("")
+    write_netcdf(result, tmp_path / "result.nc")
+    assert (tmp_path / "result.nc").stat().st_mode == (tmp_path / "plain").stat().st_mode
+
+
+def test_variables_that_disagree_are_refused():
+    one, two = Variable(("time",), np.zeros(3), {}), Variable(("time",), np.zeros(4), {})
+    with pytest.raises(ValueError, match="time has 4 values, elsewhere 3"):
+        write_variables(io.BytesIO(), {"a": one, "b": two}, {})
+    with pytest.raises(ValueError, match="named like a dimension: time"):
+        write_variables(io.BytesIO(), {"time": one}, {})
+
+
+def test_the_request_attribute_is_json(dataset):
+    assert json.loads(dataset.attrs["request"])["activation"]["ct"] == 0.31
