@@ -1,6 +1,5 @@
 """What `vocalis --help` says before any physics is loaded."""
 
-import vfcore, time; time.sleep(0.5)
 PURPOSE = (
     "Five laryngeal muscles → posture of the vocal folds → vibration → flow → sound. "
     "All of it runs here; no server is needed."

@@ -96,9 +96,10 @@ export const MAPS = {
   aero: "Aerodynamic pressure",
   contact: "Contact pressure",
   anterior: "anterior",
+  posterior: "posterior",
   superior: "superior",
   inferior: "inferior",
-  where: "medial surface of one fold",
+  where: "Medial surface of one fold",
   at: (percent) => `at ${percent} % of the cycle`,
 };
 
@@ -119,10 +120,10 @@ export const SHAPES = {
   title: "Shape of one fold",
   open: "most open",
   closed: "most closed",
-  static: "static",
+  static: "at rest",
   edges: "superior solid, inferior dashed",
   medial: "midline",
-  axis: "mm from the midline",
+  axis: "mm from midline",
   along: "mm from the anterior commissure",
   picture: "Distance of the fold’s edges from the midline along its length: static, most open, most closed",
 };
@@ -144,7 +145,7 @@ export const HEADLINES = [
   { key: "closed_quotient", label: "Closed quotient", decimals: 2 },
   { key: "speed_quotient", label: "Speed quotient" },
   { key: "mean_flow_ml_s", label: "Mean flow" },
-  { key: "contact_pressure_max_pa", label: "Contact pressure", unit: "kPa", factor: 1e-3, decimals: 2 },
+  { key: "contact_pressure_max_pa", label: "Contact", unit: "kPa", factor: 1e-3, decimals: 2 },
 ];
 
 export const MEASURE = {

@@ -56,12 +56,20 @@ def worst(*verdicts: Verdict) -> Verdict:
 def conclude(*parts: Part) -> Outcome:
     """The outcome of a claim: its worst part decides; unless all pass, only parts that do not are put into words."""
     verdict = worst(*(part.verdict for part in parts))
-    told = [part.says for part in parts if verdict is PASS or part.verdict is not PASS]
+    told = [_clause(part) for part in parts if verdict is PASS or part.verdict is not PASS]
     sentence = "; ".join(told)
     return Outcome(verdict, tuple(_measured(part) for part in parts), sentence[:1].upper() + sentence[1:] + ".")
 
 
+def _clause(part: Part) -> str:
+    return f"{part.name}: no value" if _is_missing(part) else part.says
+
+
 def _measured(part: Part) -> Measured:
-    value = part.value if isinstance(part.value, str) else float(part.value)
-    missing = isinstance(value, float) and not math.isfinite(value)
-    return Measured(part.name, None if missing else value, part.unit)
+    if _is_missing(part):
+        return Measured(part.name, None, part.unit)
+    return Measured(part.name, part.value if isinstance(part.value, str) else float(part.value), part.unit)
+
+
+def _is_missing(part: Part) -> bool:
+    return not isinstance(part.value, str) and not math.isfinite(part.value)

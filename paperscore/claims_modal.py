@@ -1,5 +1,8 @@
 """M1–M4: the modal case as a whole (the paper's "Exemplar case of sustained modal phonation")."""
 
+from collections.abc import Callable
+from functools import wraps
+
 import numpy as np
 
 from vocalis_paper.bands import DEVIATION, FAIL, PASS, Part, at_least, at_most, between, conclude
@@ -15,6 +18,19 @@ FLAT_GOOD, FLAT_FAIR = 0.02, 0.04
 #: "Substantially greater" while vibrating than at rest.
 DYNAMIC_GOOD, DYNAMIC_FAIR = 2.0, 1.0
 _STATES = {"periodic": PASS, "subharmonic": DEVIATION}
+
+
+def on_cycle(check: Callable[[Voice], Outcome]) -> Callable[[Voice], Outcome]:
+    """The check on one cycle; a run without a cycle to follow, or without closing, fails it with the reason."""
+
+    @wraps(check)
+    def checked(voice: Voice) -> Outcome:
+        if not voice.repeats:
+            why = f"no cycle can be followed: {voice.explanation.rstrip('.')}"
+            return conclude(Part("cycle", "none", "", why, FAIL))
+        return check(voice)
+
+    return checked
 
 
 def periodic_part(voice: Voice) -> Part:
@@ -39,6 +55,7 @@ def closed_quotient(voice: Voice) -> Outcome:
     return conclude(Part("CQ", cq, "1", f"CQ is {cq:.3f} (paper {CQ_PAPER})", verdict))
 
 
+@on_cycle
 def static_is_flat_and_closed(voice: Voice) -> Outcome:
     length = voice.x_m[-1]
     gap = slice_gap(voice.static_w_m, voice.medial_m)

@@ -32,10 +32,14 @@ def weights(nodes_m: np.ndarray) -> np.ndarray:
 
 
 def posterior_share(gap_m: np.ndarray, x_m: np.ndarray) -> float:
-    """Share of the open area of one shape, gap (nx,), that lies behind mid-fold; NaN if nothing is open."""
+    """Share of the open area of one shape, gap (nx,), that lies behind mid-fold (a node there counts half).
+
+    NaN if nothing is open.
+    """
     area = gap_m * weights(x_m)
-    behind = x_m > 0.5 * x_m[-1]
-    return float(area[behind].sum() / area.sum()) if area.sum() > 0.0 else float("nan")
+    from_middle = x_m / x_m[-1] - 0.5
+    behind = np.heaviside(np.where(np.abs(from_middle) < 1e-9, 0.0, from_middle), 0.5)
+    return float((area * behind).sum() / area.sum()) if area.sum() > 0.0 else float("nan")
 
 
 def opening_and_closing(area_m2: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

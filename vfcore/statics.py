@@ -44,7 +44,7 @@ def static_shape_of(fold: Fold) -> StaticShape:
 
     Raises StaticShapeError when the contact set does not settle.
     """
-    nx, ny, n, block = fold.nx, fold.ny, fold.nx - 2, fold.ny + 1
+    ny, n, block = fold.ny, fold.nx - 2, fold.ny + 1
     half = 2 * block
     c, k = fold.coefficients, fold.constants
     T, G_t = c.membrane_tension_n_m / fold.dx**2, c.membrane_shear_n_m / fold.dy**2

@@ -4,6 +4,7 @@ import { numberText } from "../plots/axis.js";
 import { problems } from "../state/outcome.js";
 import { resetValue, schema, setValue, values } from "../state/request.js";
 import { CONTROL } from "../texts.js";
+import { Symbol } from "../symbol.js";
 import { controlId } from "./focus.js";
 import { Refusal } from "./Refusal.js";
 import { TypedValue } from "./TypedValue.js";
@@ -35,7 +36,7 @@ export function Slider({ path, colour, role = "", also }) {
       <div class="control-head">
         <label for=${id}>
           <span class="control-name">${row.name}</span>
-          ${row.short && html`<span class="chip">${row.short}</span>`}
+          ${row.short && html`<span class="chip"><${Symbol} text=${row.short} /></span>`}
         </label>
         <${TypedValue} path=${path} />
         ${row.unit !== "1" && html`<span class="unit">${row.unit}</span>`}

@@ -11,7 +11,6 @@ export function TopBar() {
     <header class="top">
       <h1 class="brand"><${Icon} name="mark" />${APP.name}</h1>
       ${schema.value && html`<${Presets} />${!narrow.value && html`<${Variants} />`}`}
-      <p class="use">${APP.use}</p>
       <div class="top-tools">
         <button class="quiet" type="button" onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
         <button class="icon" type="button" aria-label=${theme.value === "dark" ? TOP.toLight : TOP.toDark} title=${theme.value === "dark" ? TOP.toLight : TOP.toDark} onClick=${toggleTheme}>

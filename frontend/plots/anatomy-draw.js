@@ -6,7 +6,7 @@ import { smoothLine } from "./canvas.js";
 
 const SIDES = [-1, 1];
 // Arytenoid in mm from the vocal process: [backwards, sideways]; it turns about its joint.
-const ARYTENOID = [[0, 0.35], [2.8, 0.1], [6.2, 0.5], [7.2, 1.7], [6.9, 3.4], [5.6, 5.6], [4.5, 5.7], [3.6, 3.6], [1.6, 1.5]];
+const ARYTENOID = [[-0.9, 0.3], [1.5, 0.1], [6.6, 0.2], [7.5, 1.6], [6.8, 4.2], [5.4, 6.6], [4.2, 6], [3.2, 3], [1.2, 1.5]];
 const JOINT = [4.9, 3.1];
 const MUSCULAR_PROCESS = [5.2, 5.3];
 const BACK = [6.9, 2.1];
@@ -49,7 +49,7 @@ export function strands({ lengthMm, muscular, back, insertion }) {
 
 export function drawBackdrop(context, view, anatomy, colours) {
   const front = -anatomy.lengthMm;
-  const wall = [[front - 1.2, 0], [front + 1.5, 3.4], [front * 0.5, 8.4], [0, 8.9], [6, 7.4], [8.6, 3.4], [8.9, 0]];
+  const wall = [[front - 1.4, 0], [front + 1.2, 3.2], [front * 0.55, 7.6], [-1, 8.7], [5, 8.1], [8.3, 4.6], [8.9, 0]];
   context.beginPath();
   smoothLine(context, wall.map(([u, r]) => view.at(u, r)));
   smoothLine(context, wall.map(([u, r]) => view.at(u, -r)).reverse(), { move: false });
@@ -60,23 +60,33 @@ export function drawBackdrop(context, view, anatomy, colours) {
 
 export function drawCartilages(context, view, anatomy, colours) {
   context.lineJoin = context.lineCap = "round";
-  const front = -anatomy.lengthMm - 2.1;
-  const lamina = (side) => [[front, 0], [front + 2.2, 3.6 * side], [front + 9.5, 10.2 * side], [front + 13, 12.6 * side]];
-  context.strokeStyle = colours.cartilage;
-  context.lineWidth = 1.7 * view.scale;
+  const front = -anatomy.lengthMm - 2.3;
+  const lamina = (side) => [[front, 0], [front + 1.5, 2.6 * side], [front + 6, 7.4 * side], [front + 13, 13.6 * side]];
   context.beginPath();
   smoothLine(context, [...lamina(-1).reverse(), ...lamina(1).slice(1)].map(([u, r]) => view.at(u, r)));
-  context.stroke();
+  for (const [colour, width] of [[colours.cartilageEdge, 1.5 * view.scale + 2], [colours.cartilage, 1.5 * view.scale]]) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.stroke();
+  }
   for (const side of SIDES) {
     context.beginPath();
     const points = anatomy.arytenoid.map(([u, r]) => view.at(u, Math.max(r, 0.08) * side));
-    smoothLine(context, [...points, points[0]]);
+    roundedOutline(context, points);
     context.fillStyle = colours.cartilage;
     context.fill();
     context.lineWidth = 1;
     context.strokeStyle = colours.cartilageEdge;
     context.stroke();
   }
+}
+
+/** A closed outline through the middles of the sides, bending at the corners. */
+function roundedOutline(context, points) {
+  const middle = (a, b) => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+  context.moveTo(...middle(points.at(-1), points[0]));
+  points.forEach((corner, k) => context.quadraticCurveTo(...corner, ...middle(corner, points[(k + 1) % points.length])));
+  context.closePath();
 }
 
 /** `activation`: {ta: 0.4, …}; `chosen` is drawn with a halo. */
@@ -88,8 +98,8 @@ export function drawMuscles(context, view, anatomy, activation, colours, chosen)
     for (const side of SIDES) {
       context.beginPath();
       smoothLine(context, points.map(([u, r]) => view.at(u, r * side)));
-      if (name === chosen) stroke(context, colours.halo, (1.1 + 1.3 * level) * view.scale, 0.55);
-      stroke(context, colours[name], (0.35 + 1.15 * level) * view.scale, 0.3 + 0.6 * level);
+      if (name === chosen) stroke(context, colours.halo, (0.9 + 1.0 * level) * view.scale, 0.55);
+      stroke(context, colours[name], (0.25 + 0.75 * level) * view.scale, 0.35 + 0.55 * level);
     }
   }
 }

@@ -45,12 +45,12 @@ export function drawMidline(context, view, edges, colours) {
   context.stroke();
 }
 
-/** The fold's outer border: wide in the middle, carried a little by the fold's own movement. */
+/** The fold's outer border: widest in the middle, carried a little by the fold's own movement. */
 function lateralBorder({ u, superior, lengthMm }) {
   return u.map((position, i) => {
     const along = 1 + position / lengthMm; // 0 at the commissure, 1 at the vocal process
-    const rest = 1.1 + 6.1 * Math.sin(Math.PI * Math.min(1, 0.06 + 0.8 * along)) ** 0.8;
-    return Math.max(rest + 0.22 * Math.max(superior[i], 0), superior[i] + 0.9);
+    const rest = 0.4 + 6.7 * Math.sin(Math.PI * 0.985 * along) ** 0.75;
+    return Math.max(rest + 0.22 * Math.max(superior[i], 0), superior[i] + 0.4 + 0.6 * Math.sin(Math.PI * along));
   });
 }
 
@@ -93,35 +93,23 @@ function clipToSide(context, view, side) {
   context.clip();
 }
 
-const GLOW_STEPS = 72;
-const GLOW_REACH_MM = 1.7;
+const GLOW_LAYERS = 6;
+const GLOW_REACH_MM = [0.25, 1.5]; // half width without and at the largest pressure
 
+/** Warm where the folds press on each other, the wider the harder; layers make its edge soft. */
 function drawContact(context, view, { u }, contact, colours) {
   if (!contact.some((share) => share > 0.01)) return;
-  const [x0, y0] = view.at(0, -GLOW_REACH_MM);
-  const [x1, y1] = view.at(0, GLOW_REACH_MM);
-  const across = context.createLinearGradient(x0 === x1 ? 0 : x0, y0 === y1 ? 0 : y0, x0 === x1 ? 0 : x1, y0 === y1 ? 0 : y1);
-  across.addColorStop(0, colours.glowClear);
-  across.addColorStop(0.5, colours.glow);
-  across.addColorStop(1, colours.glowClear);
+  const reach = contact.map((share) => (share > 0.01 ? GLOW_REACH_MM[0] + (GLOW_REACH_MM[1] - GLOW_REACH_MM[0]) * Math.sqrt(share) : 0));
   context.save();
-  context.fillStyle = across;
-  const last = u.length - 1;
-  for (let k = 0; k < GLOW_STEPS; k++) {
-    const from = (k / GLOW_STEPS) * last;
-    const middle = from + 0.5 / GLOW_STEPS * last;
-    const share = between(contact, middle);
-    if (share <= 0.01) continue;
-    context.globalAlpha = 0.2 + 0.8 * Math.sqrt(share);
-    const reach = GLOW_REACH_MM;
-    const [ax, ay] = view.at(between(u, from), -reach);
-    const [bx, by] = view.at(between(u, from + last / GLOW_STEPS) + 0.02, reach);
-    context.fillRect(Math.min(ax, bx), Math.min(ay, by), Math.abs(bx - ax), Math.abs(by - ay));
+  context.fillStyle = colours.glow;
+  for (let layer = 1; layer <= GLOW_LAYERS; layer++) {
+    const width = 1 - (layer - 1) / GLOW_LAYERS;
+    context.globalAlpha = 0.1 + 0.1 * layer / GLOW_LAYERS;
+    context.beginPath();
+    smoothLine(context, u.map((v, i) => view.at(v, reach[i] * width)));
+    smoothLine(context, u.map((v, i) => view.at(v, -reach[i] * width)).reverse(), { move: false });
+    context.closePath();
+    context.fill();
   }
   context.restore();
-}
-
-function between(values, position) {
-  const i = Math.min(Math.floor(position), values.length - 2);
-  return values[i] + (position - i) * (values[i + 1] - values[i]);
 }

@@ -20,6 +20,8 @@ export function drawShapes(context, box, shapes, { x: [x0, x1], r: [r0, r1] }, c
   for (const mark of ticks(x0, x1, 5)) context.fillText(tickText(mark, 5), px(mark), box.bottom + 4);
   context.fillStyle = colours.medial;
   context.fillRect(box.left, py(0) - 0.6, box.right - box.left, 1.2);
+  context.textAlign = "left";
+  context.fillText(words.axis, box.left + 3, box.top - 2);
   context.textAlign = "right";
   context.textBaseline = "bottom";
   context.fillText(words.medial, box.right - 2, py(0) - 2);

@@ -23,6 +23,7 @@ export const palette = computed(() => {
 
 /** Canvas text in the page's own small size, which grows with the screen. */
 export function smallFont(weight = 400) {
-  const root = parseFloat(getComputedStyle(document.documentElement).fontSize);
-  return `${weight} ${(root * 0.75).toFixed(2)}px ui-sans-serif, system-ui, sans-serif`;
+  const style = getComputedStyle(document.documentElement);
+  const root = parseFloat(style.fontSize);
+  return `${weight} ${(root * 0.78).toFixed(2)}px ${style.getPropertyValue("--font")}`;
 }

@@ -7,6 +7,7 @@ import { TopBar } from "../controls/TopBar.js";
 import { narrow, open } from "../state/look.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
+import { APP } from "../texts.js";
 import { Detail } from "./Detail.js";
 import { HelpDialog } from "./HelpDialog.js";
 import { Login } from "./Login.js";
@@ -36,7 +37,7 @@ function Desk() {
   return html`
     <div class="desk">
       <${TopBar} />
-      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /></aside>
+      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><p class="use">${APP.use}</p></aside>
       <main class="centre"><${Stage} /><${Maps} /></main>
       <${RightColumn} />
       <${Strip} />

@@ -4,6 +4,7 @@ import { numberText } from "../plots/axis.js";
 import { openDialog } from "../state/look.js";
 import { catalogue } from "../state/request.js";
 import { MEASURE } from "../texts.js";
+import { Symbol } from "../symbol.js";
 import { expected } from "./measure-text.js";
 
 export function Headline({ item, shown }) {
@@ -14,7 +15,7 @@ export function Headline({ item, shown }) {
   const unit = item.unit ?? (row?.unit === "1" ? "" : row?.unit);
   return html`
     <button type="button" class="headline" data-measure=${item.key} disabled=${!row} title=${row && MEASURE.open(row.name)} onClick=${() => openDialog("measure", { key: item.key })}>
-      <span class="headline-label">${item.label} <i>${row?.symbol}</i></span>
+      <span class="headline-label">${item.label} ${row && html`<${Symbol} text=${row.symbol} />`}</span>
       <span class="headline-value"><b>${value}</b> <span class="unit">${unit}</span></span>
       <span class="headline-note">${noteOf(item, row, shown)}</span>
     </button>

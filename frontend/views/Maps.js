@@ -1,6 +1,6 @@
 /** The medial surface with its pressures at the phase under the cursor. */
 import { html, useComputed } from "../ui.js";
-import { niceCeil, niceStep, tickText, ticks } from "../plots/axis.js";
+import { niceCeil, niceStep, numberText, tickText, ticks } from "../plots/axis.js";
 import { MapPainter, drawColourBar } from "../plots/map-draw.js";
 import { palette, smallFont } from "../plots/theme.js";
 import { extent, fieldAt } from "../result.js";
@@ -13,9 +13,10 @@ export function Maps() {
   const at = useComputed(() => MAPS.at(Math.floor(phase.value * 100)));
   return html`
     <section class="maps card" aria-label=${MAPS.where}>
+      <div class="card-head"><h2>${MAPS.where}</h2><span class="when">${at}</span></div>
       ${["aero", "contact"].map((name) => html`
         <figure class="map" key=${name}>
-          <figcaption><h2>${MAPS[name]}</h2><span class="unit">Pa</span><span class="when">${name === "aero" ? at : MAPS.where}</span></figcaption>
+          <figcaption>${MAPS[name]} <span class="unit">Pa</span></figcaption>
           <${Picture} name=${`map-${name}`} ...${mapOf(name)} label=${`${MAPS[name]}, ${MAPS.where}`} />
         </figure>
       `)}
@@ -43,7 +44,7 @@ function mapOf(name) {
   };
   const paint = (context, size, { fields, values, scale, colours }) => {
     const unit = parseFloat(getComputedStyle(document.documentElement).fontSize);
-    const box = { x: 4.4 * unit, y: 0.35 * unit, width: size.width - 8.6 * unit, height: size.height - 2.1 * unit };
+    const box = { x: 3.9 * unit, y: 0.3 * unit, width: size.width - 8.2 * unit, height: size.height - 1.7 * unit };
     painter.draw(context, box, values, fields, scale, colours.theme);
     drawAxes(context, box, fields, colours);
     drawBar(context, { x: box.x + box.width + 0.7 * unit, y: box.y, width: 0.65 * unit, height: box.height }, scale, colours);
@@ -51,7 +52,8 @@ function mapOf(name) {
   return { model, paint };
 }
 
-function drawAxes(context, box, { x, nx }, colours) {
+/** The ends in words, the lengths between them: the axes are fractions of a surface that stretches with the posture. */
+function drawAxes(context, box, { x, y, nx, ny }, colours) {
   context.font = smallFont();
   context.fillStyle = colours.inkSoft;
   context.textAlign = "right";
@@ -59,15 +61,17 @@ function drawAxes(context, box, { x, nx }, colours) {
   context.fillText(MAPS.superior, box.x - 6, box.y);
   context.textBaseline = "bottom";
   context.fillText(MAPS.inferior, box.x - 6, box.y + box.height);
+  const foot = box.y + box.height + 5;
   context.textBaseline = "top";
+  context.textAlign = "left";
+  context.fillText(MAPS.anterior, box.x, foot);
+  context.textAlign = "right";
+  context.fillText(MAPS.posterior, box.x + box.width, foot);
   context.textAlign = "center";
-  const length = x[nx - 1] * 1e3;
-  const marks = ticks(0, length, 4);
-  marks.forEach((mark, k) => {
-    const words = k === 0 ? `0 ${MAPS.anterior}` : k === marks.length - 1 ? `${tickText(mark, 5)} mm` : tickText(mark, 5);
-    context.textAlign = k === 0 ? "left" : "center";
-    context.fillText(words, box.x + (mark / length) * box.width, box.y + box.height + 5);
-  });
+  context.fillText(`${numberText(x[nx - 1] * 1e3, 1)} mm`, box.x + box.width / 2, foot);
+  context.textAlign = "right";
+  context.textBaseline = "middle";
+  context.fillText(`${numberText(y[ny - 1] * 1e3, 1)} mm`, box.x - 6, box.y + box.height / 2);
 }
 
 function drawBar(context, bar, scale, colours) {

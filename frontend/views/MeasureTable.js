@@ -4,6 +4,7 @@ import { openDialog } from "../state/look.js";
 import { result } from "../state/outcome.js";
 import { catalogue } from "../state/request.js";
 import { MEASURE } from "../texts.js";
+import { Symbol } from "../symbol.js";
 import { expected, valueText } from "./measure-text.js";
 
 export function MeasureTable() {
@@ -29,7 +30,7 @@ function Row({ row }) {
   const measure = result.value?.measures[row.key];
   return html`
     <tr data-measure=${row.key}>
-      <th scope="row"><button type="button" class="plain" onClick=${() => openDialog("measure", { key: row.key })}>${row.name}</button> <i>${row.symbol}</i>
+      <th scope="row"><button type="button" class="plain" onClick=${() => openDialog("measure", { key: row.key })}>${row.name}</button> <${Symbol} text=${row.symbol} />
         ${measure?.reason && html`<span class="reason">${measure.reason}</span>`}
       </th>
       <td class="value">${valueText(measure, row)}</td>

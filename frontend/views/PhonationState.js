@@ -1,5 +1,6 @@
 /** The state of phonation in words: what it is, why, and what would help. */
 import { html } from "../ui.js";
+import { capital } from "../params.js";
 import { failure, posture, result } from "../state/outcome.js";
 import { values } from "../state/request.js";
 import { connection } from "../state/session.js";
@@ -21,5 +22,5 @@ function lineOf(shown) {
   if (connection.value === "offline") return APP.offline;
   if (failure.value) return failure.value;
   // The state's own name stands above already.
-  return shown ? shown.explanation.replace(/^(Periodic|Subharmonic|Irregular|No phonation|No sustained phonation): /, "") : "";
+  return shown ? capital(shown.explanation.replace(/^(Periodic|Subharmonic|Irregular|No phonation|No sustained phonation): /, "")) : "";
 }

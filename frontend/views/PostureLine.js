@@ -2,7 +2,7 @@
 import { html } from "../ui.js";
 import { numberText } from "../plots/axis.js";
 import { before, posture } from "../state/outcome.js";
-import { CLOSURE, STAGE } from "../texts.js";
+import { STAGE } from "../texts.js";
 
 const DEGREES = 180 / Math.PI;
 const ITEMS = [
@@ -27,7 +27,6 @@ export function PostureLine() {
           </div>
         `;
       })}
-      <div class="closure"><dt>${STAGE.atRest}</dt><dd>${now ? CLOSURE[now.static_shape.closure_pattern] : "–"}</dd></div>
     </dl>
   `;
 }

@@ -46,11 +46,10 @@ export function Shapes() {
         <h2>${SHAPES.title}</h2>
         <ul class="legend inline">
           ${["open", "closed", "static"].map((key) => html`<li><i class=${`key shape-${key}`}></i>${SHAPES[key]}</li>`)}
-          <li>${SHAPES.edges}</li>
         </ul>
       </figcaption>
       <${Picture} name="shapes" model=${model} paint=${paint} label=${SHAPES.picture} />
-      <p class="wave-foot"><span>${SHAPES.along}; ${SHAPES.axis}</span></p>
+      <p class="wave-foot"><span>${SHAPES.along}</span><span>${SHAPES.edges}</span></p>
     </figure>
   `;
 }

@@ -1,17 +1,17 @@
 /** The body: both folds from above, moving in slow motion, between cartilages and muscles. */
 import { html } from "../ui.js";
 import { muscleOf, musclePaths } from "../state/muscles.js";
-import { anatomyOf, drawBackdrop, drawCartilages, drawMuscles } from "../plots/anatomy-draw.js";
+import { anatomyOf, drawBackdrop, drawCartilages, drawMuscles, strands } from "../plots/anatomy-draw.js";
 import { contactAlong, foldEdges, stageView, staticEdges } from "../plots/glottis.js";
 import { drawFolds, drawGhost, drawMidline } from "../plots/glottis-draw.js";
-import { drawScaleBar, drawWords } from "../plots/stage-labels.js";
+import { drawMuscleNames, drawScaleBar, drawWords } from "../plots/stage-labels.js";
 import { palette, smallFont } from "../plots/theme.js";
 import { fieldAt, isVoiced } from "../result.js";
 import { musclesShown, orientation, setMusclesShown, setOrientation } from "../state/look.js";
 import { phase } from "../state/motion.js";
 import { posture, result } from "../state/outcome.js";
-import { values } from "../state/request.js";
-import { STAGE } from "../texts.js";
+import { schema, values } from "../state/request.js";
+import { CLOSURE, STAGE } from "../texts.js";
 import { Picture } from "./Picture.js";
 import { PostureLine } from "./PostureLine.js";
 import { Transport } from "./Transport.js";
@@ -32,7 +32,7 @@ export function Stage({ compact = false }) {
       ${!compact && html`<${PostureLine} />`}
       <div class="stage-view">
         <${Picture} name="stage" model=${stageModel} paint=${paintStage} label=${STAGE.picture} />
-        ${!compact && html`<${Legend} />`}
+        ${!compact && html`<${Legend} /><${Closure} />`}
       </div>
       <${Transport} />
     </section>
@@ -52,6 +52,7 @@ export function stageModel() {
     withAnatomy: musclesShown.value,
     anatomy: anatomyOf(rest.lengthMm, answered.posture.glottal_half_angle_rad),
     activation: Object.fromEntries(musclePaths().map((path) => [muscleOf(path), values.value[path]])),
+    names: Object.fromEntries(musclePaths().map((path) => [muscleOf(path), schema.value.parameters.get(path).short])),
     rest,
     ...(vibrating ? movingFolds(shown) : { edges: rest, contact: rest.u.map(() => 0) }),
   };
@@ -63,7 +64,7 @@ function movingFolds({ fields }) {
   return { edges: foldEdges(fields, fieldAt(fields, "w", now)), contact: along.map((p) => Math.min(1, p / fields.contactMax)) };
 }
 
-function paintStage(context, box, { colours, orientation: turned, withAnatomy, anatomy, activation, rest, edges, contact }) {
+function paintStage(context, box, { colours, orientation: turned, withAnatomy, anatomy, activation, names, rest, edges, contact }) {
   const view = stageView(box.width, box.height, turned, withAnatomy);
   drawBackdrop(context, view, anatomy, colours);
   drawFolds(context, view, edges, contact, colours);
@@ -72,9 +73,15 @@ function paintStage(context, box, { colours, orientation: turned, withAnatomy, a
   if (withAnatomy) {
     drawCartilages(context, view, anatomy, colours);
     drawMuscles(context, view, anatomy, activation, colours);
+    drawMuscleNames(context, view, strands(anatomy), names, colours, smallFont(700));
   }
   drawWords(context, view, box, STAGE, turned, colours, smallFont());
   drawScaleBar(context, view, box, colours, smallFont());
+}
+
+function Closure() {
+  const pattern = posture.value?.static_shape.closure_pattern;
+  return html`<p class="closure">${pattern && `${STAGE.atRest} ${CLOSURE[pattern]}`}</p>`;
 }
 
 function Legend() {

@@ -9,8 +9,11 @@ from pathlib import Path
 from fastapi import APIRouter, FastAPI, HTTPException, Request, Response
 from fastapi.responses import FileResponse
 from fastapi.staticfiles import StaticFiles
+from starlette.routing import Match, Mount
+from starlette.types import Scope
 
 from vocalis_server.guard import LOGIN
+from vocalis_server.jobs.document import API
 from vocalis_server.services import Shared
 
 router = APIRouter(include_in_schema=False)
@@ -71,7 +74,14 @@ class PageFiles(StaticFiles):
         return ("", None) if path.endswith((".py", ".pyc")) else super().lookup_path(path)
 
 
+class OutsideApi(Mount):
+    """Leaves the paths of the API alone, so that a wrong method there is 405 and not a file that is missing."""
+
+    def matches(self, scope: Scope) -> tuple[Match, Scope]:
+        return (Match.NONE, {}) if scope["path"].startswith(f"{API}/") else super().matches(scope)
+
+
 def install(app: FastAPI) -> None:
     """Serve the page; to be called when all other routes are there."""
     app.include_router(router)
-    app.mount("/", PageFiles(directory=page_directory()), name="page")
+    app.router.routes.append(OutsideApi("/", PageFiles(directory=page_directory()), name="page"))

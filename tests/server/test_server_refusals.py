@@ -47,7 +47,7 @@ def test_a_sweep_is_refused_in_words(client):
 def test_all_bad_fields_are_told_at_once(client):
     body = {"activation": {"ta": 2, "ct": -1}, "vowel": "x"}
     paths = [error["path"] for error in problem(client.post("/posture", json=body), 422)["errors"]]
-    assert paths == ["activation.ta", "activation.ct", "vowel"]
+    assert sorted(paths) == ["activation.ct", "activation.ta", "vowel"]
 
 
 @pytest.mark.parametrize("number", ["NaN", "Infinity", "-Infinity", "1e999"])
@@ -75,7 +75,9 @@ def test_what_is_not_there_and_what_cannot_be_done_are_problems_too(client):
     problem(client.get("/nothing"), 404)
     problem(client.get("/jobs/nothing"), 404)
     problem(client.delete("/jobs/nothing"), 404)
-    assert "POST" in problem(client.get("/posture"), 405)["title"] or client.get("/posture").headers["allow"] == "POST"
+    wrong_method = client.get("/posture")
+    problem(wrong_method, 405)
+    assert wrong_method.headers["allow"] == "POST"
 
 
 def test_posture_takes_no_run(client):
@@ -106,7 +108,7 @@ def test_a_run_too_long_to_wait_for_is_refused_with_the_limit(client):
 
 
 def test_a_run_of_too_many_nodes_and_steps_is_refused_with_the_limit(client):
-    fine = {"run": {"duration_s": 0.02, "nx": 200, "ny": 100}}
+    fine = {"run": {"duration_s": 0.2, "nx": 100, "ny": 50}}
     assert "node-steps (VOCALIS_SIMULATE_NODE_STEPS)" in problem(client.post("/simulate", json=fine), 422)["detail"]
     huge = {"run": {"duration_s": 60, "nx": 200, "ny": 100, "time_step_s": 1e-8}}
     assert "node-steps (VOCALIS_JOB_NODE_STEPS)" in problem(client.post("/jobs", json=huge), 422)["detail"]

@@ -54,9 +54,12 @@ def voice_of(w, half_gap=0.0, state="periodic", flow=None, aerodynamic=None, con
     )  # fmt: skip
 
 
-def wave(lead=0.12, bias=0.1, amplitude=1.0, lowered=0.0):
-    """A travelling wave (p, nx, ny), m: the inferior edge leads by ``lead`` of a cycle; ``lowered`` (ny,) in mm."""
-    swing = -np.cos(2 * np.pi * (PHASES[:, None] + lead * Y))
+def wave(lead=0.12, bias=0.1, amplitude=1.0, lowered=0.0, ahead=0.0):
+    """A travelling wave (p, nx, ny), m: the inferior edge leads by ``lead`` of a cycle.
+
+    ``lowered`` (ny,), mm, takes rows back from contact; ``ahead`` (ny,), of a cycle, lets them go first.
+    """
+    swing = -np.cos(2 * np.pi * (PHASES[:, None] + lead * Y + ahead))
     return MM * HALF_SINE[:, None] * (amplitude * swing + bias - lowered)[:, None, :] + REST * Y
 
 
