@@ -8,7 +8,7 @@ export function decodeResult(buffer) {
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
   const first = 4 + length; // a multiple of 4: the header is padded
   const arrays = {};
-  for (const [name, { offset, shape, unit }] of Object.entries(header.array_table)) {
+  for (const [name, { offset, shape, unit }] of Object.entries(header.arrays)) {
     const count = shape.reduce((product, n) => product * n, 1);
     arrays[name] = { data: new Float32Array(buffer, first + offset, count), shape, unit };
   }

@@ -59,7 +59,8 @@ export function makeResult({ header, arrays }, startS = 0) {
       w: data("cycle_w_m"),
       aero: data("cycle_aerodynamic_pressure_pa"),
       contact: data("cycle_contact_pressure_pa"),
-      contactMax: Math.max(extent(data("cycle_contact_pressure_pa")).max, 1),
+      aeroRange: extent(data("cycle_aerodynamic_pressure_pa")),
+      contactRange: extent(data("cycle_contact_pressure_pa")),
     },
   };
 }

@@ -100,6 +100,7 @@ export const MAPS = {
   superior: "superior",
   inferior: "inferior",
   where: "Medial surface of one fold",
+  atEnd: "in the last 10 ms of the run",
   at: (percent) => `at ${percent} % of the cycle`,
 };
 
@@ -225,19 +226,17 @@ export const HELP = {
 
 export const DETAIL = { title: "The whole run", time: "time (s)", loading: "Loading the plot", failed: "The plot could not be loaded." };
 
-/** What would help when nothing vibrates, from the values set and the posture they make. */
-export function hintFor(values, posture) {
-  const gapMm = 2e3 * posture.length_m * Math.tan(posture.glottal_half_angle_rad);
+/** What would help when nothing vibrates, from the values set and the gap between the vocal processes, mm. */
+export function hintFor(values, gapMm) {
   const pressure = values.subglottal_pressure_pa;
+  const apart = gapMm > 1;
   const advice = [];
-  if (gapMm > 1) {
-    if (values["activation.pca"] > 0.05) advice.push("less PCA");
-    if (Math.min(values["activation.lca"], values["activation.ia"]) < 0.6) advice.push("more LCA and IA");
-  }
-  if (pressure < 600) advice.push(`more lung pressure (${pressure} Pa is low)`);
-  if (gapMm <= 1 && values["activation.ta"] > 0.6) advice.push("less TA");
-  if (gapMm <= 1 && values["activation.ct"] > 0.7) advice.push("less CT");
-  if (!advice.length) advice.push(gapMm > 1 ? "a posture closer to the midline" : "another lung pressure");
-  const cause = gapMm > 1 ? `The folds stand ${gapMm.toFixed(1)} mm apart at the back. ` : "";
-  return `${cause}Try ${advice.join(", or ")}.`;
+  if (apart && values["activation.pca"] > 0.05) advice.push("less PCA");
+  if (apart && Math.min(values["activation.lca"], values["activation.ia"]) < 0.6) advice.push("more LCA and IA");
+  if (pressure < 600) advice.push("more lung pressure");
+  if (!apart && values["activation.ta"] > 0.6) advice.push("less TA");
+  if (!apart && values["activation.ct"] > 0.7) advice.push("less CT");
+  if (!advice.length) advice.push(apart ? "a posture closer to the midline" : "another lung pressure");
+  const cause = apart ? `The vocal processes stand ${gapMm.toFixed(1)} mm apart. ` : "";
+  return `${cause}Try ${advice.join(", ").replace(/, ([^,]*)$/, " or $1")}.`;
 }

@@ -58,7 +58,9 @@ def conclude(*parts: Part) -> Outcome:
     verdict = worst(*(part.verdict for part in parts))
     told = [_clause(part) for part in parts if verdict is PASS or part.verdict is not PASS]
     sentence = "; ".join(told)
-    return Outcome(verdict, tuple(_measured(part) for part in parts), sentence[:1].upper() + sentence[1:] + ".")
+    if not sentence.startswith("f_o"):  # a symbol keeps its case
+        sentence = sentence[:1].upper() + sentence[1:]
+    return Outcome(verdict, tuple(_measured(part) for part in parts), f"{sentence}.")
 
 
 def _clause(part: Part) -> str:

@@ -92,7 +92,8 @@ def inferior_edge_leads(series: StaticSeries) -> Outcome:
     strong = series.levels >= STRONG_TA
     least, beyond = float(mid[strong].min()), float((mid - rest)[strong].min())
     gained = float(mid[-1] - mid[0])
-    ends = float((np.maximum(np.abs(front), np.abs(back))[strong] / np.maximum(mid[strong], 1e-9)).max())
+    at_ends = np.maximum(np.abs(front), np.abs(back))[strong]
+    ends = float((at_ends / mid[strong]).max()) if least > 0.0 else float("nan")  # of no lead there is no share
     ahead = PASS if beyond > 0.0 else DEVIATION if least > 0.0 else FAIL
     return conclude(
         Part("smallest mid-fold lead", least, "mm", f"mid-fold the inferior edge leads by at least {least:.3f} mm, "

@@ -1,6 +1,7 @@
 """``python -m vocalis_server``: serve, or with ``--warm`` only compile the kernels (for images)."""
 
 import argparse
+import sys
 
 from vocalis_server.kernels import Kernels
 from vocalis_server.serve import serve
@@ -19,9 +20,10 @@ def main() -> None:
     parser.add_argument("--warm", action="store_true", help="compile the kernels into the cache and exit")
     options = parser.parse_args()
     if options.warm:
-        Kernels().compile()
-    else:
-        serve(options.host, options.port, options.token, options.tls_cert, options.tls_key)
+        kernels = Kernels()
+        kernels.compile()
+        sys.exit(None if kernels.ready else kernels.message)
+    serve(options.host, options.port, options.token, options.tls_cert, options.tls_key)
 
 
 if __name__ == "__main__":

@@ -1,40 +1,66 @@
 """Compiling the kernels in the background, so that the page is there at once."""
 
+import asyncio
+import logging
 import threading
 import time
 
-import vfcore
 from vfcore.params import Run, Simulation
 from vfcore.simulate import prepare, simulate
+from vfcore.version import MODEL_VERSION
+from vocalis_server.problems import NotReady
 
-_SHORTEST = Run(duration_s=0.02)
+log = logging.getLogger("vocalis")
+_SHORTEST = Simulation(run=Run(duration_s=0.02))
+WAIT_S = 30.0  # for a first compilation on a slow machine
+LOOK_EVERY_S = 0.02
 
 
 class Kernels:
-    """Whether the kernels are compiled, and what is going on, in words."""
+    """Which kernels are compiled, and what is going on, in words."""
 
     def __init__(self) -> None:
-        self._ready = threading.Event()
-        self.message = "kernels not compiled yet"
+        self._postures, self._runs = threading.Event(), threading.Event()
+        self._failed = False
+        self.message = "the kernels are not compiled yet"
+
+    @property
+    def ready(self) -> bool:
+        """Whether everything a default request needs is compiled."""
+        return self._runs.is_set()
 
     def start(self) -> None:
         """Compile in a thread of its own."""
         threading.Thread(target=self.compile, name="compile", daemon=True).start()
-
-    @property
-    def ready(self) -> bool:
-        return self._ready.is_set()
 
     def compile(self) -> None:
         """Compile, or load from the cache, what a default request needs."""
         began = time.perf_counter()
         try:
             self.message = "compiling the posture equations (1 of 2)"
-            prepare(Simulation())
+            prepare(_SHORTEST)
+            self._postures.set()
             self.message = "compiling the step of the fold (2 of 2)"
-            simulate(Simulation(run=_SHORTEST))
+            simulate(_SHORTEST)
         except Exception as error:
-            self.message = f"compiling failed: {error}"
-            raise
-        self.message = f"ready: kernels of model {vfcore.MODEL_VERSION} in {time.perf_counter() - began:.1f} s"
-        self._ready.set()
+            self._failed = True
+            self.message = f"the kernels could not be compiled: {error}"
+            log.exception("compiling failed")
+            return
+        self.message = f"ready: the kernels of model {MODEL_VERSION} took {time.perf_counter() - began:.1f} s"
+        self._runs.set()
+
+    async def for_postures(self) -> None:
+        """Return when postures can be solved; NotReady when that takes too long or has failed."""
+        await self._wait(self._postures)
+
+    async def for_runs(self) -> None:
+        """Return when runs can be made; NotReady as above."""
+        await self._wait(self._runs)
+
+    async def _wait(self, compiled: threading.Event) -> None:
+        deadline = time.monotonic() + WAIT_S
+        while not compiled.is_set():
+            if self._failed or time.monotonic() > deadline:
+                raise NotReady(f"Not ready: {self.message}.")
+            await asyncio.sleep(LOOK_EVERY_S)

@@ -3,6 +3,7 @@
 import logging
 import socket
 import sys
+from contextlib import suppress
 
 import uvicorn
 
@@ -40,7 +41,8 @@ def serve(
         ssl_certfile=settings.tls_cert,
         ssl_keyfile=settings.tls_key,
     )
-    _Server(config, app.state.services, _address(settings, listener)).run(sockets=[listener])
+    with suppress(KeyboardInterrupt):  # uvicorn raises the signal again once it has shut down
+        _Server(config, app.state.services, _address(settings, listener)).run(sockets=[listener])
 
 
 class _Server(uvicorn.Server):

@@ -107,7 +107,8 @@ class March:
                     i / (self.fold.nx - 1),
                     j / (self.fold.ny - 1),
                     f"the displacement passed {LARGEST_DISPLACEMENT_M * 1e3:g} mm",
-                    f"Try a step below {self.time_step_s:.3g} s, a lower pressure, or the constants' default values.",
+                    "Try a lower pressure or the constants' default values; if the same happens at a step below "
+                    f"{self.time_step_s:.3g} s, the step is not to blame.",
                 )
 
     def cycle(self, first_sample: int, last_sample: int, phases: int) -> dict[str, np.ndarray]:

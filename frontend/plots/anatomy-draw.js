@@ -23,6 +23,8 @@ export function anatomyOf(lengthMm, halfAngleRad) {
   };
   return {
     lengthMm,
+    outMm: out,
+    medial: place([7, 0]),
     arytenoid: ARYTENOID.map(place),
     muscular: place(MUSCULAR_PROCESS),
     back: place(BACK),
@@ -58,6 +60,17 @@ export function drawBackdrop(context, view, anatomy, colours) {
   context.fill();
 }
 
+/** Between the arytenoids the model has no tissue that moves; where they part, the gap is shown paler than the glottis. */
+export function drawPosteriorGap(context, view, anatomy, colours) {
+  const edge = [[0, anatomy.outMm], [anatomy.medial[0], anatomy.medial[1]]];
+  const outline = [...edge, ...edge.map(([u, r]) => [u, -r]).reverse()];
+  context.beginPath();
+  outline.forEach(([u, r], k) => (k === 0 ? context.moveTo(...view.at(u, r)) : context.lineTo(...view.at(u, r))));
+  context.closePath();
+  context.fillStyle = colours.openingPale;
+  context.fill();
+}
+
 export function drawCartilages(context, view, anatomy, colours) {
   context.lineJoin = context.lineCap = "round";
   const front = -anatomy.lengthMm - 2.3;
@@ -89,8 +102,8 @@ function roundedOutline(context, points) {
   context.closePath();
 }
 
-/** `activation`: {ta: 0.4, …}; `chosen` is drawn with a halo. */
-export function drawMuscles(context, view, anatomy, activation, colours, chosen) {
+/** `activation`: {ta: 0.4, …}. */
+export function drawMuscles(context, view, anatomy, activation, colours) {
   const lines = strands(anatomy);
   context.lineCap = "round";
   for (const [name, points] of Object.entries(lines)) {
@@ -98,16 +111,11 @@ export function drawMuscles(context, view, anatomy, activation, colours, chosen)
     for (const side of SIDES) {
       context.beginPath();
       smoothLine(context, points.map(([u, r]) => view.at(u, r * side)));
-      if (name === chosen) stroke(context, colours.halo, (0.9 + 1.0 * level) * view.scale, 0.55);
-      stroke(context, colours[name], (0.25 + 0.75 * level) * view.scale, 0.35 + 0.55 * level);
+      context.globalAlpha = 0.35 + 0.55 * level;
+      context.lineWidth = (0.25 + 0.75 * level) * view.scale;
+      context.strokeStyle = colours[name];
+      context.stroke();
+      context.globalAlpha = 1;
     }
   }
-}
-
-function stroke(context, colour, width, alpha) {
-  context.globalAlpha = alpha;
-  context.lineWidth = width;
-  context.strokeStyle = colour;
-  context.stroke();
-  context.globalAlpha = 1;
 }

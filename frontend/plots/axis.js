@@ -33,7 +33,7 @@ export function niceCeil(value) {
 export function steadyLimits(before, data, { symmetric = false, least = 0 } = {}) {
   let low = Math.max(0, -data.min);
   let high = Math.max(0, data.max, least);
-  if (symmetric) low = high = Math.max(low, high);
+  if (symmetric) low = high = Math.max(low, high, least);
   const keep = (old, wanted) => old !== undefined && wanted <= old && wanted >= 0.5 * old;
   const bottom = keep(before && -before[0], low) ? -before[0] : niceCeil(low);
   const top = keep(before?.[1], high) ? before[1] : niceCeil(high);

@@ -43,18 +43,30 @@ function build(stops) {
 const fromHex = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));
 
 /**
- * The scale of a map: `at(value)` gives an index triple's offset and table. Signed maps take `limit` on both sides;
- * sequential ones run from 0 to `limit` and in the other hue down to −`limit`.
+ * Writes the colour of `value` into `out` at `at` (red, green, blue). Signed maps ("diverging") take `limit` on both
+ * sides; sequential ones run from 0 to `limit` and, in the other hue, down to −`limit`.
  */
-export function colourScale(kind, limit, theme) {
-  const top = SIZE - 1;
-  if (kind === "diverging") {
-    const table = colourTable("diverging", theme);
-    return (value) => [table, 3 * clampIndex(((value / limit + 1) / 2) * top)];
-  }
-  const above = colourTable("sequential", theme);
+export function colourWriter({ kind, limit }, theme) {
+  const above = colourTable(kind, theme);
   const below = colourTable("below", theme);
-  return (value) => (value >= 0 ? [above, 3 * clampIndex((value / limit) * top)] : [below, 3 * clampIndex((-value / limit) * top)]);
+  const top = SIZE - 1;
+  return (value, out, at) => {
+    const share = kind === "diverging" ? (value / limit + 1) / 2 : Math.abs(value) / limit;
+    const table = kind === "sequential" && value < 0 ? below : above;
+    const from = 3 * Math.max(0, Math.min(top, Math.round(share * top)));
+    out[at] = table[from];
+    out[at + 1] = table[from + 1];
+    out[at + 2] = table[from + 2];
+  };
 }
 
-const clampIndex = (value) => Math.max(0, Math.min(SIZE - 1, Math.round(value)));
+/** The scale between `low` and `limit` as a CSS gradient, from bottom to top. */
+export function colourGradient({ kind, limit, low }, theme, stops = 32) {
+  const write = colourWriter({ kind, limit }, theme);
+  const colour = [0, 0, 0];
+  const parts = Array.from({ length: stops + 1 }, (_, k) => {
+    write(low + (k / stops) * (limit - low), colour, 0);
+    return `rgb(${colour.join(" ")})`;
+  });
+  return `linear-gradient(to top, ${parts.join(", ")})`;
+}

@@ -60,9 +60,11 @@ export function areaMm2(edges) {
 }
 
 const EXTENT = {
-  anatomy: { front: -23.4, back: 11, side: 10.4 },
+  anatomy: { front: -23.4, back: 10.2, side: 10.4 },
   folds: { front: -21, back: 3.2, side: 8.2 },
 };
+
+const WORDS_PX = 18; // for "Anterior" and "Posterior" at the ends
 
 /**
  * Where mm fall on a stage of `width` by `height`: {scale px/mm, at(u, r) → [x, y]}. Anterior is left, or at the top
@@ -72,9 +74,9 @@ export function stageView(width, height, orientation, withAnatomy) {
   const { front, back, side } = withAnatomy ? EXTENT.anatomy : EXTENT.folds;
   const middle = (front + back) / 2;
   if (orientation === "endoscope") {
-    const scale = Math.min(height / (back - front), width / (2 * side));
+    const scale = Math.min((height - 2 * WORDS_PX) / (back - front), width / (2 * side));
     return { scale, at: (u, r) => [width / 2 + r * scale, height / 2 + (u - middle) * scale] };
   }
-  const scale = Math.min(width / (back - front), height / (2 * side));
+  const scale = Math.min((width - 2 * WORDS_PX) / (back - front), height / (2 * side));
   return { scale, at: (u, r) => [width / 2 + (u - middle) * scale, height / 2 + r * scale] };
 }

@@ -16,31 +16,38 @@ export function loadPlotly() {
   return loading;
 }
 
-/** Traces and layout of a stack of waves on one time axis. Pure. */
+/** Traces and layout of a stack of waves on one time axis. */
 export function stackFigure(rows, timeS, axisTitle, colours) {
   const count = rows.length;
+  const family = getComputedStyle(document.documentElement).getPropertyValue("--font");
+  const font = { family, size: 13, color: colours.ink };
   const axis = { gridcolor: colours.grid, zerolinecolor: colours.line, linecolor: colours.line, automargin: true };
   const layout = {
     paper_bgcolor: "rgba(0,0,0,0)",
     plot_bgcolor: "rgba(0,0,0,0)",
-    font: { family: "ui-sans-serif, system-ui, sans-serif", size: 13, color: colours.ink },
-    margin: { l: 70, r: 16, t: 8, b: 44 },
+    font,
+    margin: { l: 64, r: 16, t: 34, b: 44 },
+    modebar: { bgcolor: "rgba(0,0,0,0)", color: colours.inkSoft, activecolor: colours.accent },
+    annotations: [],
     showlegend: false,
     hovermode: "x unified",
     hoverlabel: { bgcolor: colours.panel, bordercolor: colours.line, font: { color: colours.ink } },
     dragmode: "zoom",
-    xaxis: { ...axis, title: { text: axisTitle }, anchor: `y${count}`, hoverformat: ".5f" },
+    xaxis: { ...axis, title: { text: axisTitle, font }, anchor: `y${count}`, hoverformat: ".5f" },
   };
   const traces = rows.map((row, k) => {
     const name = k === 0 ? "y" : `y${k + 1}`;
     const top = 1 - k / count;
     layout[k === 0 ? "yaxis" : `yaxis${k + 1}`] = {
       ...axis,
-      title: { text: `${row.label}<br>${row.unit}`, font: { size: 12 } },
-      domain: [top - 0.92 / count, top],
+      title: { text: row.unit, font },
+      domain: [top - 0.8 / count, top - 0.06 / count],
       nticks: 4,
       tickformat: "~g",
     };
+    layout.annotations.push({
+      text: `<b>${row.label}</b>`, x: 0, xref: "paper", xanchor: "left", y: top - 0.05 / count, yref: "paper", yanchor: "bottom", showarrow: false, font,
+    }); // prettier-ignore
     return { x: timeS, y: row.values, yaxis: name, xaxis: "x", type: "scatter", mode: "lines", name: row.label, line: { width: 1.3, color: row.colour }, hovertemplate: `%{y:.4~g} ${row.unit}` };
   });
   return { traces, layout };

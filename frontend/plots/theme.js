@@ -5,8 +5,8 @@ import { theme } from "../state/look.js";
 const NAMES = {
   ink: "--ink", inkSoft: "--ink-soft", grid: "--grid", panel: "--panel", line: "--line", accent: "--accent",
   fold: "--tissue-fold", lip: "--tissue-lip", wall: "--tissue-wall", cartilage: "--cartilage",
-  cartilageEdge: "--cartilage-edge", opening: "--opening", glow: "--glow", glowClear: "--glow-clear",
-  superior: "--edge-superior", inferior: "--edge-inferior", medial: "--medial", ghost: "--ghost", halo: "--halo",
+  cartilageEdge: "--cartilage-edge", opening: "--opening", openingPale: "--opening-pale", glow: "--glow",
+  superior: "--edge-superior", inferior: "--edge-inferior", medial: "--medial", ghost: "--ghost",
   ta: "--ta", ct: "--ct", lca: "--lca", ia: "--ia", pca: "--pca",
   cycle: "--cycle", cursor: "--cursor", mostOpen: "--most-open", mostClosed: "--most-closed",
   pressure: "--wave-pressure", flow: "--wave-flow", slope: "--wave-slope", area: "--wave-area",
@@ -21,9 +21,11 @@ export const palette = computed(() => {
   return { ...colours, theme: theme.value };
 });
 
+/** One rem in pixels: the page's own unit, which grows with the screen. */
+export const rootPx = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
+
 /** Canvas text in the page's own small size, which grows with the screen. */
 export function smallFont(weight = 400) {
   const style = getComputedStyle(document.documentElement);
-  const root = parseFloat(style.fontSize);
-  return `${weight} ${(root * 0.78).toFixed(2)}px ${style.getPropertyValue("--font")}`;
+  return `${weight} ${(parseFloat(style.fontSize) * 0.78).toFixed(2)}px ${style.getPropertyValue("--font")}`;
 }

@@ -1,5 +1,7 @@
-/** Paints the stack of waves and, on a layer above, its cursor. */
+/** Paints the stack of waves. */
 import { tickText, ticks, niceStep } from "./axis.js";
+
+const MOST_TICKS = 4; // in one row
 
 /** Where things stand in a stack of `count` rows: {left, right, rows: [{top, bottom}], x(t)}. */
 export function stackLayout(width, height, count, window, unit) {
@@ -28,12 +30,12 @@ export function drawWaves(context, layout, result, { window, rows }, limits, col
     context.font = font;
     context.textAlign = "right";
     context.textBaseline = "middle";
-    const marks = ticks(low, high, 3);
+    const marks = ticks(low, high, MOST_TICKS);
     for (const mark of marks) {
       context.fillStyle = colours.grid;
       context.fillRect(layout.left, Math.round(y(mark)), layout.right - layout.left, mark === 0 ? 1.25 : 0.75);
       context.fillStyle = colours.inkSoft;
-      context.fillText(tickText(mark, niceStep(high - low, 3)), layout.left - 5, y(mark));
+      context.fillText(tickText(mark, niceStep(high - low, MOST_TICKS)), layout.left - 5, y(mark));
     }
     drawLine(context, layout, result, row.values, window, y, colours[row.key]);
   });
@@ -76,21 +78,4 @@ function drawTimeAxis(context, layout, { cycle }, window, colours, font) {
     context.fillStyle = colours.inkSoft;
     if (x > layout.left + 8 && x < layout.right - 8) context.fillText(tickText(mark, 5), x, bottom + 4);
   }
-}
-
-/** The shared cursor: in the highlighted cycle, and faintly at the same phase of the others where they repeat. */
-export function drawCursor(context, layout, result, phase, window, colours) {
-  const { startS, periodS, complete } = result.cycle;
-  const here = startS + phase * periodS;
-  for (let timeS = here; complete && timeS > window.startS; timeS -= periodS) line(context, layout, timeS, colours.cursor, 0.28);
-  line(context, layout, here, colours.cursor, 1);
-}
-
-function line(context, layout, timeS, colour, alpha) {
-  const x = layout.x(timeS);
-  if (x < layout.left || x > layout.right + 1) return;
-  context.globalAlpha = alpha;
-  context.fillStyle = colour;
-  context.fillRect(x - 0.6, 0, 1.2, layout.height - layout.foot);
-  context.globalAlpha = 1;
 }

@@ -39,13 +39,13 @@ export function slope(wave, first, last, rate) {
   return out;
 }
 
-/** What the stack shows, top to bottom; `factor` turns SI into the unit shown. */
+/** What the stack shows, top to bottom; `factor` turns SI into the unit shown; no axis is finer than `least`. */
 export const ROWS = [
-  { key: "pressure", unit: "Pa", factor: 1, symmetric: true },
-  { key: "flow", unit: "mL/s", factor: 1e6 },
-  { key: "slope", unit: "L/s²", factor: 1e3 },
-  { key: "area", unit: "mm²", factor: 1e6 },
-  { key: "contact", unit: "kPa", factor: 1e-3 },
+  { key: "pressure", unit: "Pa", factor: 1, least: 50, symmetric: true },
+  { key: "flow", unit: "mL/s", factor: 1e6, least: 100 },
+  { key: "slope", unit: "L/s²", factor: 1e3, least: 100 },
+  { key: "area", unit: "mm²", factor: 1e6, least: 2 },
+  { key: "contact", unit: "kPa", factor: 1e-3, least: 0.2 },
 ]; // prettier-ignore
 
 /** The rows of a result in their units: {window, rows: [{key, unit, values, range}]}. */

@@ -4,33 +4,49 @@ import { readonly } from "./readonly.js";
 
 export const RATES = [25, 50, 100, 200, 400];
 
+const READOUT_MS = 120; // numbers that change faster cannot be read
+
 const _phase = signal(0.3);
+const _readout = signal(0.3);
 const _moving = signal(!matchMedia("(prefers-reduced-motion: reduce)").matches);
 const _pointing = signal(false);
 const _slowdown = signal(100);
 
 /** 0 to 1 of the cycle shown. */
 export const phase = readonly(_phase);
+/** The same for words and numbers, which follow the motion at reading speed. */
+export const readout = readonly(_readout);
 export const moving = readonly(_moving);
 /** A pointer rests on the waves: the motion waits for it to leave. */
 export const pointing = readonly(_pointing);
 /** Shown at one over this speed. */
 export const slowdown = readonly(_slowdown);
 
+let readAt = 0;
+
+/** Move on within the motion. */
 export function setPhase(value) {
   _phase.value = value - Math.floor(value);
+  if (performance.now() - readAt < READOUT_MS) return;
+  readAt = performance.now();
+  _readout.value = _phase.value;
+}
+
+function lookAt(value) {
+  setPhase(value);
+  _readout.value = _phase.value;
 }
 
 /** Look at one phase: the motion stops there. */
 export function holdPhase(value) {
   _moving.value = false;
-  setPhase(value);
+  lookAt(value);
 }
 
 /** Look at one phase for as long as the pointer is there. */
 export function pointAt(value) {
   _pointing.value = true;
-  setPhase(value);
+  lookAt(value);
 }
 
 export function stopPointing() {

@@ -1,6 +1,7 @@
 /** What a measure means: definition, formula, settings, expected values, source. */
 import { html } from "../ui.js";
 import { numberText } from "../plots/axis.js";
+import { WithSymbols } from "../symbol.js";
 import { result } from "../state/outcome.js";
 import { catalogue } from "../state/request.js";
 import { MEASURE } from "../texts.js";
@@ -23,7 +24,7 @@ export function MeasureDialog({ about: { key } }) {
     <${Dialog} title=${`${row.name}, ${row.symbol}`}>
       <p class="dialog-value">${valueText(measure, row)}</p>
       ${measure?.reason && html`<p class="reason">${measure.reason}</p>`}
-      <dl class="facts">${rows.filter(([, text]) => text).map(([name, text]) => html`<dt>${name}</dt><dd>${text}</dd>`)}</dl>
+      <dl class="facts">${rows.filter(([, text]) => text).map(([name, text]) => html`<dt>${name}</dt><dd><${WithSymbols} text=${text} /></dd>`)}</dl>
       <p class="caution">${MEASURE.cycles(shown?.cycles)} ${MEASURE.caution}</p>
     <//>
   `;

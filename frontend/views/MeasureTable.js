@@ -1,5 +1,6 @@
 /** Every measure with its unit, or the reason why there is none. */
 import { html } from "../ui.js";
+import { capital } from "../params.js";
 import { openDialog } from "../state/look.js";
 import { result } from "../state/outcome.js";
 import { catalogue } from "../state/request.js";
@@ -16,7 +17,7 @@ export function MeasureTable() {
         <caption class="visually-hidden">${MEASURE.table}</caption>
         ${[...groups].map(([group, rows]) => html`
           <tbody key=${group}>
-            <tr class="measure-group"><th colspan="3" scope="colgroup">${group}</th></tr>
+            <tr class="measure-group"><th colspan="3" scope="colgroup">${capital(group)}</th></tr>
             ${rows.map((row) => html`<${Row} key=${row.key} row=${row} />`)}
           </tbody>
         `)}
@@ -30,11 +31,10 @@ function Row({ row }) {
   const measure = result.value?.measures[row.key];
   return html`
     <tr data-measure=${row.key}>
-      <th scope="row"><button type="button" class="plain" onClick=${() => openDialog("measure", { key: row.key })}>${row.name}</button> <${Symbol} text=${row.symbol} />
-        ${measure?.reason && html`<span class="reason">${measure.reason}</span>`}
-      </th>
+      <th scope="row"><button type="button" class="plain" onClick=${() => openDialog("measure", { key: row.key })}>${row.name}</button> <${Symbol} text=${row.symbol} /></th>
       <td class="value">${valueText(measure, row)}</td>
       <td class="expected">${row.normal_range ? expected(row) : ""}</td>
     </tr>
+    ${measure?.reason && html`<tr class="why"><td colspan="3" class="reason">${measure.reason}</td></tr>`}
   `;
 }

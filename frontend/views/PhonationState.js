@@ -1,7 +1,8 @@
 /** The state of phonation in words: what it is, why, and what would help. */
 import { html } from "../ui.js";
 import { capital } from "../params.js";
-import { failure, posture, result } from "../state/outcome.js";
+import { measured } from "../result.js";
+import { failure, result } from "../state/outcome.js";
 import { values } from "../state/request.js";
 import { connection } from "../state/session.js";
 import { APP, STATES, hintFor } from "../texts.js";
@@ -9,11 +10,11 @@ import { APP, STATES, hintFor } from "../texts.js";
 export function PhonationState() {
   const shown = result.value;
   const state = shown?.state ?? "waiting";
-  const hint = shown?.state === "none" && posture.value ? hintFor(values.value, posture.value.posture) : "";
+  const hint = shown?.state === "none" ? hintFor(values.value, measured(shown, "gap_mm") ?? 0) : "";
   return html`
     <div class="phonation" data-state=${state}>
       <p class="phonation-state"><i class="state-mark" aria-hidden="true"></i>${shown ? STATES[state] : APP.waiting}</p>
-      <p class="phonation-why">${lineOf(shown)}${hint && html` <strong>${hint}</strong>`}</p>
+      <p class="phonation-why" title=${hint}>${lineOf(shown)}${hint && html` <strong>${hint}</strong>`}</p>
     </div>
   `;
 }

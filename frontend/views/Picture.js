@@ -7,11 +7,11 @@ import { Disposal } from "../dispose.js";
 import { forget, inFrame } from "../frame.js";
 import { prepare } from "../plots/canvas.js";
 
-export function Picture({ model, paint, label, name, handlers = {} }) {
+export function Picture({ model, paint, label, name }) {
   const canvas = useRef(null);
   useEffect(() => follow(canvas.current, model, paint), []);
   const words = label ? { role: "img", "aria-label": label } : { "aria-hidden": "true" };
-  return html`<canvas ref=${canvas} class="picture" data-picture=${name} ...${words} ...${handlers}></canvas>`;
+  return html`<canvas ref=${canvas} class="picture" data-picture=${name} ...${words}></canvas>`;
 }
 
 function follow(canvas, model, paint) {

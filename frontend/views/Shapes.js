@@ -3,7 +3,7 @@ import { computed, html } from "../ui.js";
 import { steadyLimits } from "../plots/axis.js";
 import { foldEdges, staticEdges } from "../plots/glottis.js";
 import { drawShapes, extremePhases } from "../plots/shapes-draw.js";
-import { palette, smallFont } from "../plots/theme.js";
+import { palette, rootPx, smallFont } from "../plots/theme.js";
 import { extent, fieldAt, isVoiced } from "../result.js";
 import { posture, result } from "../state/outcome.js";
 import { SHAPES } from "../texts.js";
@@ -24,7 +24,7 @@ let limitsBefore;
 function model() {
   if (!posture.value) return null;
   const colours = palette.value;
-  const shapes = [{ edges: staticEdges(posture.value.static_shape), colour: colours.ghost }];
+  const shapes = [{ edges: staticEdges(posture.value.static_shape), colour: colours.inkSoft }];
   if (extremes.value) {
     shapes.push({ edges: extremes.value.open, colour: colours.mostOpen }, { edges: extremes.value.closed, colour: colours.mostClosed });
   }
@@ -34,7 +34,7 @@ function model() {
 }
 
 function paint(context, size, { shapes, colours, limits }) {
-  const unit = parseFloat(getComputedStyle(document.documentElement).fontSize);
+  const unit = rootPx();
   const box = { left: 3.1 * unit, right: size.width - 0.5 * unit, top: 0.4 * unit, bottom: size.height - 1.35 * unit };
   drawShapes(context, box, shapes, limits, colours, smallFont(), SHAPES);
 }

@@ -1,7 +1,10 @@
-/** The body: both folds from above, moving in slow motion, between cartilages and muscles. */
+/**
+ * The body: both folds from above, moving in slow motion, between cartilages and muscles. Three layers, so that only
+ * the folds are painted in every frame.
+ */
 import { html } from "../ui.js";
 import { muscleOf, musclePaths } from "../state/muscles.js";
-import { anatomyOf, drawBackdrop, drawCartilages, drawMuscles, strands } from "../plots/anatomy-draw.js";
+import { anatomyOf, drawBackdrop, drawCartilages, drawMuscles, drawPosteriorGap, strands } from "../plots/anatomy-draw.js";
 import { contactAlong, foldEdges, stageView, staticEdges } from "../plots/glottis.js";
 import { drawFolds, drawGhost, drawMidline } from "../plots/glottis-draw.js";
 import { drawMuscleNames, drawScaleBar, drawWords } from "../plots/stage-labels.js";
@@ -31,7 +34,9 @@ export function Stage({ compact = false }) {
       </div>
       ${!compact && html`<${PostureLine} />`}
       <div class="stage-view">
-        <${Picture} name="stage" model=${stageModel} paint=${paintStage} label=${STAGE.picture} />
+        <${Picture} name="stage-behind" model=${stillModel} paint=${paintBehind} />
+        <${Picture} name="stage" model=${foldsModel} paint=${paintFolds} label=${STAGE.picture} />
+        <${Picture} name="stage-before" model=${stillModel} paint=${paintBefore} />
         ${!compact && html`<${Legend} /><${Closure} />`}
       </div>
       <${Transport} />
@@ -39,13 +44,11 @@ export function Stage({ compact = false }) {
   `;
 }
 
-/** What the stage shows now; null before the first posture. */
-export function stageModel() {
+/** What the posture decides; null before the first. */
+function stillModel() {
   const answered = posture.value;
   if (!answered) return null;
-  const shown = result.value;
   const rest = staticEdges(answered.static_shape);
-  const vibrating = isVoiced(shown);
   return {
     colours: palette.value,
     orientation: orientation.value,
@@ -54,28 +57,48 @@ export function stageModel() {
     activation: Object.fromEntries(musclePaths().map((path) => [muscleOf(path), values.value[path]])),
     names: Object.fromEntries(musclePaths().map((path) => [muscleOf(path), schema.value.parameters.get(path).short])),
     rest,
-    ...(vibrating ? movingFolds(shown) : { edges: rest, contact: rest.u.map(() => 0) }),
   };
+}
+
+/** The folds now: moving where they vibrate, at rest where they do not. */
+function foldsModel() {
+  const answered = posture.value;
+  if (!answered) return null;
+  const view = { colours: palette.value, orientation: orientation.value, withAnatomy: musclesShown.value };
+  if (isVoiced(result.value)) return { ...view, ...movingFolds(result.value) };
+  const rest = staticEdges(answered.static_shape);
+  return { ...view, edges: rest, contact: rest.u.map(() => 0) };
 }
 
 function movingFolds({ fields }) {
   const now = phase.value;
   const along = contactAlong(fields, fieldAt(fields, "contact", now));
-  return { edges: foldEdges(fields, fieldAt(fields, "w", now)), contact: along.map((p) => Math.min(1, p / fields.contactMax)) };
+  return { edges: foldEdges(fields, fieldAt(fields, "w", now)), contact: along.map((p) => p / fields.contactRange.max) };
 }
 
-function paintStage(context, box, { colours, orientation: turned, withAnatomy, anatomy, activation, names, rest, edges, contact }) {
-  const view = stageView(box.width, box.height, turned, withAnatomy);
-  drawBackdrop(context, view, anatomy, colours);
-  drawFolds(context, view, edges, contact, colours);
+const viewOf = (box, model) => stageView(box.width, box.height, model.orientation, model.withAnatomy);
+
+function paintBehind(context, box, model) {
+  const view = viewOf(box, model);
+  drawBackdrop(context, view, model.anatomy, model.colours);
+  drawPosteriorGap(context, view, model.anatomy, model.colours);
+}
+
+function paintFolds(context, box, model) {
+  drawFolds(context, viewOf(box, model), model.edges, model.contact, model.colours);
+}
+
+function paintBefore(context, box, model) {
+  const { anatomy, colours, rest } = model;
+  const view = viewOf(box, model);
   drawGhost(context, view, rest, colours);
-  drawMidline(context, view, edges, colours);
-  if (withAnatomy) {
+  drawMidline(context, view, rest, colours);
+  if (model.withAnatomy) {
     drawCartilages(context, view, anatomy, colours);
-    drawMuscles(context, view, anatomy, activation, colours);
-    drawMuscleNames(context, view, strands(anatomy), names, colours, smallFont(700));
+    drawMuscles(context, view, anatomy, model.activation, colours);
+    drawMuscleNames(context, view, strands(anatomy), model.names, colours, smallFont(700));
   }
-  drawWords(context, view, box, STAGE, turned, colours, smallFont());
+  drawWords(context, view, box, STAGE, model.orientation, colours, smallFont());
   drawScaleBar(context, view, box, colours, smallFont());
 }
 

@@ -1,13 +1,13 @@
 /** Slow motion: play, the phase of the cycle, and the rate it is shown at. */
 import { html, useComputed } from "../ui.js";
 import { Icon } from "../controls/Icon.js";
-import { RATES, holdPhase, moving, phase, setMoving, setSlowdown, slowdown } from "../state/motion.js";
+import { RATES, holdPhase, moving, readout, setMoving, setSlowdown, slowdown } from "../state/motion.js";
 import { STAGE } from "../texts.js";
 
 export function Transport() {
-  const percent = useComputed(() => `${Math.floor(phase.value * 100)}`.padStart(2, "\u2007") + " %");
-  const position = useComputed(() => Math.round(phase.value * 1000));
-  const words = useComputed(() => `${Math.floor(phase.value * 100)} percent of the cycle`);
+  const percent = useComputed(() => `${Math.floor(readout.value * 100)}`.padStart(2, "\u2007") + " %");
+  const position = useComputed(() => Math.round(readout.value * 1000));
+  const words = useComputed(() => `${Math.floor(readout.value * 100)} percent of the cycle`);
   return html`
     <div class="transport">
       <button type="button" class="icon" aria-label=${moving.value ? STAGE.pause : STAGE.play} title=${`${moving.value ? STAGE.pause : STAGE.play} (M)`} onClick=${() => setMoving(!moving.value)}>

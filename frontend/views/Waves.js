@@ -2,14 +2,14 @@
 import { computed, html, useComputed } from "../ui.js";
 import { Icon } from "../controls/Icon.js";
 import { numberText, steadyLimits } from "../plots/axis.js";
-import { palette, smallFont } from "../plots/theme.js";
-import { drawCursor, drawWaves, stackLayout } from "../plots/wave-draw.js";
+import { palette, rootPx, smallFont } from "../plots/theme.js";
+import { drawWaves, stackLayout } from "../plots/wave-draw.js";
 import { ROWS, valueAt, waveRows } from "../plots/waves.js";
-import { phaseOf } from "../result.js";
 import { openDialog } from "../state/look.js";
-import { holdPhase, phase, pointAt, stopPointing } from "../state/motion.js";
+import { readout } from "../state/motion.js";
 import { result } from "../state/outcome.js";
 import { WAVES } from "../texts.js";
+import { Cursor } from "./Cursor.js";
 import { Picture } from "./Picture.js";
 
 const rows = computed(() => (result.value ? waveRows(result.value) : null));
@@ -27,7 +27,7 @@ export function Waves() {
     <div class="waves">
       <div class="wave-stack">
         <${Picture} name="waves" label=${WAVES.picture} paint=${paintWaves} model=${() => rows.value && { shown: result.value, stack: rows.value, limits: limits.value, colours: palette.value }} />
-        <${Picture} name="cursor" paint=${paintCursor} handlers=${pointing()} model=${() => rows.value && { shown: result.value, at: phase.value, window: rows.value.window, colours: palette.value }} />
+        <${Cursor} rows=${rows} />
         <div class="wave-names" style=${{ "--rows": ROWS.length }}>
           ${ROWS.map((row, k) => html`<div class="wave-name" key=${row.key}><span>${WAVES[row.key]}</span> <${AtCursor} row=${row} index=${k} /></div>`)}
         </div>
@@ -44,38 +44,14 @@ function AtCursor({ row, index }) {
   const text = useComputed(() => {
     const shown = result.value;
     if (!shown || !rows.value) return "";
-    const value = valueAt(shown, rows.value, index, shown.cycle.startS + phase.value * shown.cycle.periodS);
+    const value = valueAt(shown, rows.value, index, shown.cycle.startS + readout.value * shown.cycle.periodS);
     const decimals = row.unit === "kPa" ? 2 : row.unit === "mm²" ? 1 : 0;
     return value === null ? "" : `${numberText(value, decimals)} ${row.unit}`;
   });
   return html`<span class="at-cursor">${text}</span>`;
 }
 
-const unitOf = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
-
 function paintWaves(context, box, { shown, stack, limits: ranges, colours }) {
-  const layout = stackLayout(box.width, box.height, stack.rows.length, stack.window, unitOf());
+  const layout = stackLayout(box.width, box.height, stack.rows.length, stack.window, rootPx());
   drawWaves(context, layout, shown, stack, ranges, colours, smallFont());
-}
-
-function paintCursor(context, box, { shown, at, window, colours }) {
-  drawCursor(context, stackLayout(box.width, box.height, ROWS.length, window, unitOf()), shown, at, window, colours);
-}
-
-/** A resting mouse looks at an instant; a press, pen or finger stays there. */
-function pointing() {
-  const instant = (event) => {
-    const box = event.currentTarget.getBoundingClientRect();
-    const layout = stackLayout(box.width, box.height, ROWS.length, rows.peek().window, unitOf());
-    const x = event.clientX - box.left;
-    return x >= layout.left && x <= layout.right ? phaseOf(result.peek(), layout.time(x)) : null;
-  };
-  const look = (event) => {
-    if (!result.peek()) return;
-    const at = instant(event);
-    if (at === null) stopPointing();
-    else if (event.buttons !== 0) holdPhase(at);
-    else if (event.pointerType === "mouse") pointAt(at);
-  };
-  return { onPointerDown: look, onPointerMove: look, onPointerLeave: stopPointing };
 }

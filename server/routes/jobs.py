@@ -32,6 +32,7 @@ async def submit(body: JobBody, request: Request, shared: Shared, client: Client
     """Hand in a simulation. A request that has a job already gets that job, finished if it is, unless ``fresh``."""
     wanted = simulation_of(body)
     limit = shared.settings.job_node_steps
+    await shared.kernels.for_postures()
     await shared.runs.run(lambda: check_cost(wanted, limit, "VOCALIS_JOB_NODE_STEPS"), request.is_disconnected)
     document = job_document(shared.desk.submit(client, canonical(wanted), body.fresh, key))
     return JSONResponse(document, 202, {"Location": document["links"]["self"]})

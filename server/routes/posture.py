@@ -23,4 +23,5 @@ async def posture(body: PostureBody, request: Request, shared: Shared) -> JSONRe
     def solve() -> dict[str, Any]:
         return posture_document(prepare(wanted))
 
+    await shared.kernels.for_postures()
     return JSONResponse(await shared.postures.run(solve, request.is_disconnected))

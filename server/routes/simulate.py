@@ -46,6 +46,7 @@ async def simulate(
         document: dict[str, Any] = {"id": content} | result_document(result) | {"links": result_links(content)}
         return Response(bundle(document, result, names), media_type=OCTETS) if as_octets else JSONResponse(document)
 
+    await shared.kernels.for_runs()
     return await shared.runs.run(work, request.is_disconnected)
 
 

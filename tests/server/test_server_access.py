@@ -116,9 +116,7 @@ def test_a_public_server_takes_addresses_and_its_own_names_only():
         assert not public.knows_host(host), host
 
 
-@pytest.mark.parametrize(
-    "header, name", [("A.b:80", "a.b"), ("[::1]:80", "::1"), ("::1", "::1"), ("x", "x"), ("", "")]
-)
+@pytest.mark.parametrize("header, name", [("A.b:80", "a.b"), ("[::1]:80", "::1"), ("::1", "::1"), ("x", "x"), ("", "")])
 def test_the_name_in_a_host_header(header, name):
     assert host_name(header) == name
 

@@ -26,6 +26,7 @@ CHECKS = [
     response_schema_conformance,
 ]
 CASES_PER_CALL = 80
+RUNS = ("/api/v1/simulate", "/api/v1/jobs")
 SHORTEST_S = 0.02
 QUIET = {"deadline": None, "derandomize": True, "database": None, "suppress_health_check": list(HealthCheck)}
 seen: Counter[str] = Counter()
@@ -62,16 +63,17 @@ def test_no_bound_of_any_field_finds_an_undeclared_answer(case, target):
 
 def check(case, target, ask_for_the_job: bool) -> None:
     server, job_id = target
-    cheap(case.body)
+    if case.operation.path in RUNS and isinstance(case.body, dict):
+        cheap(case.body)
     if ask_for_the_job and "job_id" in (case.path_parameters or {}) and case.method == "GET":
         case.path_parameters["job_id"] = job_id
     answer = case.call_and_validate(base_url=server.url, checks=CHECKS)
     answered[case.operation.label, answer.status_code] += 1
 
 
-def cheap(body) -> None:
+def cheap(body: dict) -> None:
     """Make runs that would be taken short, and keep them on the one compiled grid; what is wrong stays wrong."""
-    run = body.setdefault("run", {}) if isinstance(body, dict) else None
+    run = body.setdefault("run", {})
     if isinstance(run, dict) and isinstance(run.setdefault("duration_s", SHORTEST_S), int | float):
         run["duration_s"] = min(run["duration_s"], SHORTEST_S)
         for name in ("nx", "ny", "time_step_s", "pressure_rise_s"):

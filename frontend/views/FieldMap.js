@@ -1,0 +1,53 @@
+/** One heat map: the field at the phase shown, its two ends and lengths in words, its colour bar. */
+import { effect, html, useComputed, useEffect, useRef } from "../ui.js";
+import { forget, inFrame } from "../frame.js";
+import { niceStep, numberText, tickText, ticks } from "../plots/axis.js";
+import { colourGradient } from "../plots/colours.js";
+import { paintField } from "../plots/map-image.js";
+import { fieldAt } from "../result.js";
+import { theme } from "../state/look.js";
+import { phase } from "../state/motion.js";
+import { result } from "../state/outcome.js";
+import { MAPS } from "../texts.js";
+
+/** `scaleOf(fields)` → {kind, limit, low} in Pa. */
+export function FieldMap({ name, title, scaleOf }) {
+  const canvas = useRef(null);
+  const scale = useComputed(() => (result.value ? scaleOf(result.value.fields) : null));
+  useEffect(() => {
+    const stop = effect(() => {
+      const shown = result.value;
+      if (!shown) return;
+      const [at, limits, colours] = [phase.value, scale.value, theme.value];
+      inFrame(canvas.current, () => paintField(canvas.current, shown.fields, fieldAt(shown.fields, name, at), limits, colours));
+    });
+    const painted = canvas.current;
+    return () => {
+      stop();
+      forget(painted);
+    };
+  }, []);
+  const fields = result.value?.fields;
+  const millimetres = (metres) => (fields ? `${numberText(metres * 1e3, 1)} mm` : "");
+  return html`
+    <figure class="map">
+      <figcaption>${title} <span class="unit">Pa</span></figcaption>
+      <div class="map-side"><span>${MAPS.superior}</span><span>${millimetres(fields?.y.at(-1))}</span><span>${MAPS.inferior}</span></div>
+      <div class="map-field" style=${fields && { "--nx": fields.nx, "--ny": fields.ny }}>
+        <canvas ref=${canvas} data-picture=${`map-${name}`} role="img" aria-label=${`${title}: ${MAPS.where}`}></canvas>
+      </div>
+      <div class="map-foot"><span>${MAPS.anterior}</span><span>${millimetres(fields?.x.at(-1))}</span><span>${MAPS.posterior}</span></div>
+      ${scale.value && html`<${ColourBar} scale=${scale.value} />`}
+    </figure>
+  `;
+}
+
+function ColourBar({ scale }) {
+  const { low, limit } = scale;
+  const step = niceStep(limit - low, 4);
+  return html`
+    <div class="map-bar" style=${{ background: colourGradient(scale, theme.value) }}>
+      ${ticks(low, limit, 4).map((mark) => html`<span style=${{ bottom: `${(100 * (mark - low)) / (limit - low)}%` }}>${tickText(mark, step)}</span>`)}
+    </div>
+  `;
+}

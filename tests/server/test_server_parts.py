@@ -1,0 +1,144 @@
+"""Parts of the server on their own: transitions, turns, the event log, the results kept, architecture."""
+
+import ast
+import asyncio
+import threading
+from pathlib import Path
+
+import pytest
+
+import vocalis_server
+from vocalis_server.jobs.events import DONE, PROGRESS, EventLog
+from vocalis_server.jobs.interactive import ClientLeft, Interactive, Overtaken
+from vocalis_server.jobs.model import TRANSITIONS, IllegalTransition, Job, Status
+from vocalis_server.problems import OTHER, TABLE, kind_of
+
+
+def job(status: Status) -> Job:
+    return Job("i", "c", "simulation", {}, "content", "work", "now", status=status)
+
+
+def test_every_arrow_of_the_table_can_be_taken_and_no_other():
+    for start in Status:
+        for end in Status:
+            moved = job(start)
+            if end in TRANSITIONS[start]:
+                moved.move(end)
+                assert moved.status is end
+            else:
+                with pytest.raises(IllegalTransition):
+                    moved.move(end)
+
+
+def test_what_is_over_never_runs_again():
+    for over in (Status.SUCCESSFUL, Status.FAILED, Status.DISMISSED):
+        assert TRANSITIONS[over] <= {Status.DISMISSED}
+    assert set(TRANSITIONS) == set(Status)
+
+
+def test_a_class_without_a_row_takes_that_of_its_base():
+    for cls, kind in TABLE.items():
+        derived = type("Derived", (cls,), {"__init__": lambda self: None})
+        assert kind_of(derived()) is kind
+    assert kind_of(RuntimeError()) is OTHER
+
+
+def in_turn(slots: int, waiting: int, calls: int) -> list:
+    """Outcomes of calls that come one after the other while the first one holds the only slot; then their order."""
+
+    async def main():
+        gate, release, order = Interactive(slots, waiting, "test"), threading.Event(), []
+
+        def call(number):
+            if number == 0:
+                release.wait(5)
+            order.append(number)
+            return number
+
+        tasks = []
+        for number in range(calls):
+            tasks.append(asyncio.create_task(gate.run(lambda number=number: call(number))))
+            await asyncio.sleep(0.01)
+        release.set()
+        outcomes = await asyncio.gather(*tasks, return_exceptions=True)
+        gate.close()
+        return [order, outcomes]
+
+    return asyncio.run(main())
+
+
+def test_the_newest_call_is_next():
+    order, _ = in_turn(slots=1, waiting=10, calls=4)
+    assert order == [0, 3, 2, 1]
+
+
+def test_the_oldest_waiting_call_is_turned_away_when_too_many_wait():
+    order, outcomes = in_turn(slots=1, waiting=2, calls=4)
+    assert order == [0, 3, 2]
+    assert isinstance(outcomes[1], Overtaken) and "2 places" in str(outcomes[1])
+
+
+def test_a_call_whose_client_left_is_not_computed_and_its_slot_goes_on():
+    async def main():
+        gate = Interactive(1, 2, "test")
+
+        async def gone():
+            return True
+
+        with pytest.raises(ClientLeft):
+            await gate.run(lambda: pytest.fail("computed for nobody"), gone)
+        with pytest.raises(ZeroDivisionError):
+            await gate.run(lambda: 1 / 0)
+        assert await gate.run(lambda: 7) == 7
+        gate.close()
+
+    asyncio.run(main())
+
+
+def test_a_cancelled_wait_gives_its_place_back():
+    async def main():
+        gate, release = Interactive(1, 2, "test"), threading.Event()
+        first = asyncio.create_task(gate.run(lambda: release.wait(5)))
+        await asyncio.sleep(0.01)
+        second = asyncio.create_task(gate.run(lambda: "second"))
+        await asyncio.sleep(0.01)
+        second.cancel()
+        await asyncio.gather(second, return_exceptions=True)
+        release.set()
+        assert await first and await gate.run(lambda: "third") == "third"
+        gate.close()
+
+    asyncio.run(main())
+
+
+def test_the_log_keeps_of_a_jobs_progress_the_last_word_only():
+    log = EventLog()
+    for k in range(100):
+        log.publish(PROGRESS, "me", "a", {"progress": k})
+    log.publish(PROGRESS, "me", "b", {"progress": 0})
+    log.publish(DONE, "me", "a", {"progress": 100})
+    found, _ = log.since(0, "me", None)
+    assert [(event.job_id, event.name) for event in found] == [("b", PROGRESS), ("a", DONE)]
+    assert log.since(0, "you", None)[0] == []
+
+
+def test_a_reader_that_missed_too_much_is_not_given_a_gap():
+    log = EventLog(kept=3)
+    for k in range(5):
+        log.publish(DONE, "me", str(k), {})
+    events, _ = log.since(0, "me", None)
+    assert len(events) == 3
+    boot = events[0].id.partition("-")[0]
+    assert log.position(f"{boot}-1") is None, "events 2 is gone"
+    assert log.position(f"{boot}-2") == 2 and log.position(f"{boot}-5") == 5
+    assert log.position(f"{boot}-6") is None and log.position("other-2") is None
+    assert log.position(None) is None and log.position("nonsense") is None
+
+
+def test_the_job_room_knows_nothing_of_the_web():
+    folder = Path(vocalis_server.__file__).parent / "jobs"
+    for path in folder.glob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            names += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            assert not {name.partition(".")[0] for name in names} & {"fastapi", "starlette", "uvicorn"}, path
