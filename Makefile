@@ -15,13 +15,15 @@ CHECKED_DATA := $(CURDIR)/.pytest_cache/vocalis-boundscheck
 .PHONY: help run modal test lint test-all test-interpreted test-boundscheck bench clean
 
 help:
-	@echo "make run     the modal voice: its measures as a table, its sound as a file"
+	@echo "make run     the modal voice as a table and a sound file, then the dashboard on http://$(HOST):$(PORT)"
+	@echo "make modal   the modal voice only"
 	@echo "make test    every check"
 	@echo "make bench   how fast Vocalis is on this machine"
 	@echo "make clean   remove .venv, caches and out/"
-	@echo "Variables: PYTHON=$(PYTHON)"
+	@echo "Variables: PYTHON=$(PYTHON) HOST=$(HOST) PORT=$(PORT)"
 
 run: modal
+	@$(BIN)/vocalis serve --host $(HOST) --port $(PORT)
 
 modal: $(VENV)/.installed
 	@mkdir -p out

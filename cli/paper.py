@@ -21,7 +21,8 @@ from vocalis_paper.registry import CLAIMS
 from vocalis_paper.report import html_report
 from vocalis_paper.run import workers
 from vocalis_paper.run_document import score_variant, scoreboard
-from vocalis_paper.study import study_document, study_markdown
+from vocalis_paper.study import study_document
+from vocalis_paper.study_text import study_markdown
 
 HELP = """
 {summary}

@@ -10,6 +10,7 @@ COMMANDS = {
     "static": "The shape of the folds at that posture without air pressure, and how they close.",
     "simulate": "Let them vibrate: measures, waveforms, sound.",
     "serve": "The dashboard and the HTTP API on this machine.",
+    "paper": "What the paper claims, each claim tested and scored.",
     "bench": "How fast it all runs on this machine.",
 }
 

@@ -29,8 +29,8 @@ def html_report(document: Mapping[str, Any], scored: Mapping[str, Scored]) -> st
         "<p>Serry, Zañartu &amp; Peterson (2026). Each claim was written down as a numeric test before anything was "
         "run. <b>Pass</b>: as the paper says. <b>Deviation</b>: its sense holds, with the stated difference. "
         "<b>Fail</b>: neither.</p>"
-        f"{_scores(variants)}{_summary(document)}{_failed_runs(variants)}{''.join(sections)}"
-        f"{_provenance(document)}</main></body></html>\n"
+        f"{_scores(variants)}{_summary(document)}{''.join(sections)}"
+        f"{_failed_runs(variants)}{_provenance(document)}</main></body></html>\n"
     )
 
 
@@ -39,12 +39,13 @@ def _scores(variants: Mapping[str, Any]) -> str:
     rows = "".join(
         f'<tr><th scope="row">{escape(name)}</th>'
         + "".join(f"<td>{one['score'][v]}</td>" for v in VERDICTS)
-        + f"<td>{one['seconds']:g} s</td></tr>"
+        + f"<td>{len(one['failed_runs'])}</td><td>{one['seconds']:g} s</td></tr>"
         for name, one in variants.items()
     )
     return (
         '<h2>Score</h2><table><thead><tr><th scope="col">variant</th>'
-        f'{head}<th scope="col">run time</th></tr></thead><tbody>{rows}</tbody></table>'
+        f'{head}<th scope="col">runs without an answer</th><th scope="col">run time</th></tr></thead>'
+        f"<tbody>{rows}</tbody></table>"
     )
 
 
@@ -68,13 +69,15 @@ def _mark(verdict: str) -> str:
 
 
 def _failed_runs(variants: Mapping[str, Any]) -> str:
+    """Every run without an answer; the remedy that a reason ends on is left to the JSON."""
     rows = "".join(
-        f"<li>{escape(name)}, {escape(CASES[run['case']].title)}, {escape(run['activation'])}: "
-        f"{escape(run['reason'])}</li>"
+        f"<tr><td>{escape(name)}</td><td>{escape(CASES[run['case']].title)}</td><td>{escape(run['activation'])}</td>"
+        f"<td>{escape(run['reason'].split('. ')[0])}</td></tr>"
         for name, one in variants.items()
         for run in one["failed_runs"]
     )
-    return f"<h2>Runs without an answer</h2>{f'<ul>{rows}</ul>' if rows else '<p>None.</p>'}"
+    table = f"<table class='measured'><tbody>{rows}</tbody></table>" if rows else "<p>None.</p>"
+    return f"<section><h2>Runs without an answer</h2>{table}</section>"
 
 
 def _claim(claim: Mapping[str, Any], variants: Mapping[str, Any], scored: Mapping[str, Scored], drawn: set) -> str:

@@ -7,7 +7,7 @@ others: a map or sweep keeps it as a cell in state "failed"; a claim that needs 
 import time
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ProcessPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import asdict, replace
 from multiprocessing import get_context
 from typing import Any, NamedTuple
@@ -21,6 +21,7 @@ from vocalis_paper import evidence
 from vocalis_paper.cases import Case
 
 FAILED = "failed"
+LEVEL = "spl_lips_db"
 #: The shortest run that passes through every kernel.
 WARM_UP_S = 0.02
 Progress = Callable[[str, int, int], None]
@@ -54,16 +55,20 @@ def workers(count: int) -> Iterator[ProcessPoolExecutor]:
 
 def warm_up(request: Simulation) -> None:
     """Compile the kernels that ``request`` needs, once and before the workers each would."""
-    simulate(replace(request, run=replace(request.run, duration_s=WARM_UP_S, pressure_rise_s=0.0)))
+    with suppress(VocalisError):  # an answer is not asked for here; the runs themselves say why there is none
+        simulate(replace(request, run=replace(request.run, duration_s=WARM_UP_S, pressure_rise_s=0.0)))
 
 
 def gather(
-    cases: Mapping[str, Case], pool: ProcessPoolExecutor, progress: Progress = lambda case, done, total: None
+    cases: Mapping[str, Case],
+    pool: ProcessPoolExecutor,
+    progress: Progress = lambda case, done, total: None,
+    level: str = LEVEL,
 ) -> Gathered:
     """All runs of the cases.
 
-    ``progress(case, runs done, runs in all)`` is called as runs end. Timed cases come last, with the machine to
-    themselves as far as this process can tell.
+    ``progress(case, runs done, runs in all)`` is called as runs end. ``level`` is the measure that stands for the
+    level of a map. Timed cases come last, with the machine to themselves as far as this process can tell.
     """
     begun = {key: _begin(case, pool) for key, case in cases.items() if case.kind != "timing"}
     total, done, found, failures = sum(map(len, begun.values())), 0, {}, []
@@ -73,7 +78,7 @@ def gather(
             answers.append(future.result())
             done += 1
             progress(key, done, total)
-        found[key] = _EVIDENCE[cases[key].kind](cases[key], answers)
+        found[key] = _EVIDENCE[cases[key].kind](cases[key], [_read_at(level, answer) for answer in answers])
         for request, answer in zip(cases[key].requests(), answers, strict=True):
             if isinstance(answer, Failure):
                 failures.append((key, _activations(request), answer.reason))
@@ -140,6 +145,13 @@ def _map(case: Case, answers: list) -> evidence.ActivationMap:
 def _sweep(case: Case, answers: list) -> evidence.PcaSweep:
     (axis,) = case.axes
     return evidence.pca_sweep(axis.levels, [_report(answer) for answer in answers])
+
+
+def _read_at(level: str, answer):
+    """A report whose level is that of another measure; any other answer as it is."""
+    if not isinstance(answer, MeasureReport):
+        return answer
+    return replace(answer, measures=answer.measures | {LEVEL: answer.measures[level]})
 
 
 def _report(answer: MeasureReport | Failure) -> MeasureReport:

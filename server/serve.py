@@ -1,6 +1,7 @@
 """Start the server, say once where it is, stop it cleanly."""
 
 import logging
+import os
 import socket
 import sys
 from contextlib import suppress
@@ -83,4 +84,5 @@ def _listen(host: str, port: int) -> socket.socket:
     try:
         return socket.create_server((host, port), family=family)
     except OSError as error:
-        sys.exit(f"vocalis: cannot listen on {host}:{port}: {error.strerror or error}; try another --port or --host")
+        why = os.strerror(error.errno) if error.errno else str(error)
+        sys.exit(f"vocalis: cannot listen on {host}:{port}: {why}; try another --port or --host")

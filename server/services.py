@@ -51,10 +51,8 @@ class Services:
         self.kernels.start()
 
     def close(self) -> None:
-        """End streams, calls and worker processes."""
+        """End streams, runs and worker processes."""
         self.events.close()
-        self.runs.close()
-        self.postures.close()
         self.desk.engine.close()
 
 

@@ -6,6 +6,7 @@ the metadata that ``quantity`` attaches to a dataclass field.
 
 import dataclasses
 import math
+import sys
 from numbers import Real
 
 from vfcore.errors import ParameterError
@@ -70,9 +71,10 @@ def check_number(path: str, value, low: float, high: float, unit: str = "", inte
     allowed = f"{low:g} to {high:g}{unit_text}"
     if isinstance(value, bool) or not isinstance(value, Real):
         raise ParameterError(path, f"{value!r} is not a number", allowed)
-    if integer and value != int(value):
-        raise ParameterError(path, f"{value!r} is not a whole number", allowed)
-    if not math.isfinite(value):
+    if not abs(value) < math.inf:  # not isfinite: an int may be larger than any float
         raise ParameterError(path, f"{value!r} is not finite", allowed)
     if not low <= value <= high:
-        raise ParameterError(path, f"{value:g} is out of range", allowed)
+        shown = f"{value:g}" if abs(value) < sys.float_info.max else "a number beyond all floats"
+        raise ParameterError(path, f"{shown} is out of range", allowed)
+    if integer and value != int(value):
+        raise ParameterError(path, f"{value!r} is not a whole number", allowed)

@@ -139,6 +139,8 @@ class Run:
         validate(self, "run.")
         check_number("run.nx", self.nx, *GRID_LIMITS["nx"], "nodes", integer=True)
         check_number("run.ny", self.ny, *GRID_LIMITS["ny"], "nodes", integer=True)
+        for name in ("nx", "ny"):  # JSON does not tell 20.0 from 20
+            object.__setattr__(self, name, int(getattr(self, name)))
         if self.time_step_s is not None:
             check_number("run.time_step_s", self.time_step_s, *STEP_LIMITS_S, "s")
 

@@ -60,7 +60,8 @@ def time_step_s(run: Run, fold: Fold) -> float:
         raise StabilityError(
             "run.time_step_s",
             f"{run.time_step_s:.4g} s would grow without bound on the {fold.nx}×{fold.ny} grid at this posture",
-            f"up to {_rounded_down(limit):.3g} s here; null lets Vocalis choose; a coarser grid in y allows a longer step",
+            f"up to {_rounded_down(limit):.3g} s here; null lets Vocalis choose; "
+            "a coarser grid in y allows a longer step",
         )
     return float(run.time_step_s)
 

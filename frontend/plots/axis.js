@@ -18,6 +18,12 @@ export function ticks(low, high, most = 4) {
   return Array.from({ length: last - first + 1 }, (_, k) => (first + k) * step);
 }
 
+/** Marks for a low plot: three or four, as few as show the scale. */
+export function fewTicks(low, high) {
+  const coarse = ticks(low, high, 3);
+  return coarse.length >= 3 ? coarse : ticks(low, high, 4);
+}
+
 /** The smallest round number at or above `value`. */
 export function niceCeil(value) {
   if (!(value > 0)) return 0;

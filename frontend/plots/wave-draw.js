@@ -1,7 +1,5 @@
 /** Paints the stack of waves. */
-import { tickText, ticks, niceStep } from "./axis.js";
-
-const MOST_TICKS = 4; // in one row
+import { fewTicks, tickText, ticks } from "./axis.js";
 
 /** Where things stand in a stack of `count` rows: {left, right, rows: [{top, bottom}], x(t)}. */
 export function stackLayout(width, height, count, window, unit) {
@@ -30,12 +28,12 @@ export function drawWaves(context, layout, result, { window, rows }, limits, col
     context.font = font;
     context.textAlign = "right";
     context.textBaseline = "middle";
-    const marks = ticks(low, high, MOST_TICKS);
+    const marks = fewTicks(low, high);
     for (const mark of marks) {
       context.fillStyle = colours.grid;
       context.fillRect(layout.left, Math.round(y(mark)), layout.right - layout.left, mark === 0 ? 1.25 : 0.75);
       context.fillStyle = colours.inkSoft;
-      context.fillText(tickText(mark, niceStep(high - low, MOST_TICKS)), layout.left - 5, y(mark));
+      context.fillText(tickText(mark, marks[1] - marks[0]), layout.left - 5, y(mark));
     }
     drawLine(context, layout, result, row.values, window, y, colours[row.key]);
   });
@@ -49,9 +47,11 @@ function drawLine(context, layout, result, values, window, y, colour) {
   context.rect(layout.left, 0, pixels + 0.5, layout.height);
   context.clip();
   context.beginPath();
-  for (let k = 0; k < values.length; k++) context.lineTo(layout.x(startS + k / result.rate), y(values[k]));
-  context.lineWidth = 1.6;
-  context.lineJoin = "round";
+  // Two points a pixel are all that can be seen, and what is drawn costs time.
+  const stride = Math.max(1, Math.floor(values.length / (2 * pixels)));
+  for (let k = 0; k < values.length; k += stride) context.lineTo(layout.x(startS + k / result.rate), y(values[k]));
+  context.lineWidth = 1.5;
+  context.lineJoin = "bevel";
   context.strokeStyle = colour;
   context.stroke();
   context.restore();

@@ -3,12 +3,14 @@
 The kernels release the interpreter lock, so threads do run side by side. When a hand moves a slider,
 the answer to its last position matters and the earlier ones no longer do: a free slot goes to the call
 that came last, a call whose client has left is not computed at all, and when too many wait the oldest
-is turned away.
+is turned away. The threads are daemons: what is being computed never holds up the end of the server.
 """
 
 import asyncio
+import threading
 from collections.abc import Awaitable, Callable
-from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from functools import partial
 from typing import TypeVar
 
 from vfcore.errors import VocalisError
@@ -33,7 +35,7 @@ class Interactive:
         self._free = slots
         self._most_waiting = waiting
         self._line: list[asyncio.Future] = []
-        self._threads = ThreadPoolExecutor(slots, thread_name_prefix=name)
+        self._name = name
 
     async def run(self, call: Callable[[], T], gone: Callable[[], Awaitable[bool]] | None = None) -> T:
         """``call()`` in a thread, when it is its turn. Raises Overtaken, ClientLeft, or what the call raises."""
@@ -41,7 +43,7 @@ class Interactive:
         try:
             if gone is not None and await gone():
                 raise ClientLeft("The connection was closed before its turn came.")
-            return await asyncio.get_running_loop().run_in_executor(self._threads, call)
+            return await self._in_thread(call)
         finally:
             self._next()
 
@@ -73,5 +75,22 @@ class Interactive:
                 return
         self._free += 1
 
-    def close(self) -> None:
-        self._threads.shutdown(wait=False, cancel_futures=True)
+    async def _in_thread(self, call: Callable[[], T]) -> T:
+        loop = asyncio.get_running_loop()
+        outcome: asyncio.Future[T] = loop.create_future()
+
+        def work() -> None:
+            try:
+                settle = partial(_settle, outcome, outcome.set_result, call())
+            except BaseException as error:
+                settle = partial(_settle, outcome, outcome.set_exception, error)
+            with suppress(RuntimeError):  # the loop is closed: the server has ended meanwhile
+                loop.call_soon_threadsafe(settle)
+
+        threading.Thread(target=work, name=self._name, daemon=True).start()
+        return await outcome
+
+
+def _settle(outcome: asyncio.Future, settle: Callable, value: object) -> None:
+    if not outcome.done():  # it is when whoever waited was cancelled
+        settle(value)

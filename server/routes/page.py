@@ -26,7 +26,7 @@ def page_directory() -> Path:
     return Path(str(files("vocalis_frontend")))
 
 
-@router.get("/")
+@router.api_route("/", methods=["GET", "HEAD"])
 def index(request: Request, shared: Shared) -> Response:
     """The page; makes the browser a client."""
     path = page_directory() / "index.html"
@@ -46,7 +46,7 @@ def login(ending: str = "html") -> Response:
     return FileResponse(LOGIN_FILES / f"login.{ending}")
 
 
-@router.get("/vendor/plotly.min.js")
+@router.api_route("/vendor/plotly.min.js", methods=["GET", "HEAD"])
 def plotly(request: Request) -> Response:
     """Plotly's bundle: kept by browsers for a day, or for a year when asked for by its version (``?v=``)."""
     installed = version("plotly")

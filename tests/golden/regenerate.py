@@ -16,7 +16,7 @@ from vfcore.version import MODEL_VERSION
 def regenerate(reason: str, path: Path = STORED, version: str = MODEL_VERSION) -> list[str]:
     """Write ``path``; returns what changed, one line each. Raises SystemExit with a sentence when refused."""
     if not reason.strip():
-        raise SystemExit("say why the results changed: --reason \"...\"")
+        raise SystemExit('say why the results changed: --reason "..."')
     now = {name: {"request": document, "results": results_of(document)} for name, document in CASES.items()}
     changed = _changes(read_stored(path), now) if path.exists() else []
     if changed and read_stored(path)["model_version"] == version:
@@ -30,7 +30,9 @@ def regenerate(reason: str, path: Path = STORED, version: str = MODEL_VERSION) -
 
 
 def _changes(stored: dict, now: dict) -> list[str]:
-    both = [name for name in stored["cases"] if name in now and stored["cases"][name]["request"] == now[name]["request"]]
+    both = [
+        name for name in stored["cases"] if name in now and stored["cases"][name]["request"] == now[name]["request"]
+    ]
     return [
         f"{name}: {line}"
         for name in both

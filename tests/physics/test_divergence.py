@@ -47,7 +47,9 @@ def test_the_sentence_has_time_place_reason_and_remedy():
         diverging(fold).run(4000)
     text, error = str(caught.value), caught.value
     assert isinstance(error, VocalisError)
-    assert re.search(rf"t = {error.time_s * 1e3:.3f} ms, at x/L = {error.x_over_L:.2f}, y/b = {error.y_over_b:.2f}", text)
+    assert re.search(
+        rf"t = {error.time_s * 1e3:.3f} ms, at x/L = {error.x_over_L:.2f}, y/b = {error.y_over_b:.2f}", text
+    )
     assert "passed 20 mm" in text
     assert "Try a lower pressure or the constants' default values" in error.remedy
     assert f"a step below {too_long_step(fold):.3g} s" in error.remedy

@@ -1,4 +1,4 @@
-"""The direct static solve is the equilibrium: of the twin's relaxation, of the product's own damped motion, of itself."""
+"""The direct static solve is the equilibrium: of the twin's relaxation, of the product's own damped motion."""
 
 import numpy as np
 import pytest

@@ -51,7 +51,7 @@ def box(kind):
 
 def constants():
     """The paper's constants with up to three of them moved anywhere in their range."""
-    fields = [field for field in dataclasses.fields(FoldConstants)]
+    fields = dataclasses.fields(FoldConstants)
     one = st.sampled_from(fields).flatmap(
         lambda field: st.tuples(
             st.just(field.name), within(field.metadata["low"], field.metadata["high"], field.default)

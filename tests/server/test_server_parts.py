@@ -61,7 +61,6 @@ def in_turn(slots: int, waiting: int, calls: int) -> list:
             await asyncio.sleep(0.01)
         release.set()
         outcomes = await asyncio.gather(*tasks, return_exceptions=True)
-        gate.close()
         return [order, outcomes]
 
     return asyncio.run(main())
@@ -90,7 +89,6 @@ def test_a_call_whose_client_left_is_not_computed_and_its_slot_goes_on():
         with pytest.raises(ZeroDivisionError):
             await gate.run(lambda: 1 / 0)
         assert await gate.run(lambda: 7) == 7
-        gate.close()
 
     asyncio.run(main())
 
@@ -106,7 +104,6 @@ def test_a_cancelled_wait_gives_its_place_back():
         await asyncio.gather(second, return_exceptions=True)
         release.set()
         assert await first and await gate.run(lambda: "third") == "third"
-        gate.close()
 
     asyncio.run(main())
 

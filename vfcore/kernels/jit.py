@@ -15,6 +15,8 @@ import os
 import threading
 from pathlib import Path
 
+import llvmlite.binding as llvm
+import numba
 import platformdirs
 
 
@@ -31,10 +33,8 @@ def _source_hash() -> str:
     return digest.hexdigest()[:16]
 
 
-os.environ.setdefault("NUMBA_CACHE_DIR", str(data_directory() / "kernels" / _source_hash()))
-
-import llvmlite.binding as llvm  # noqa: E402
-import numba  # noqa: E402  (the cache directory must be set first)
+if "NUMBA_CACHE_DIR" not in os.environ:  # not exported: a child process may have another data directory
+    numba.config.CACHE_DIR = str(data_directory() / "kernels" / _source_hash())
 
 NO_JIT = bool(numba.config.DISABLE_JIT)
 

@@ -1,0 +1,67 @@
+"""What the paper leaves open, as changes of the request: one row for each choice that could be made otherwise."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from vfcore.params import PAPER_STEP_S
+from vocalis_paper.run import LEVEL
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One choice. ``factor``: what is left open; ``takes``: what is chosen here; ``change``: of the request document.
+
+    ``level``: the measure that stands for the level of a map. ``control``: a numerical setting
+    that should change nothing; it is not paired.
+    """
+
+    factor: str
+    takes: str
+    change: Mapping[str, Any]
+    level: str = LEVEL
+    control: bool = False
+
+    @property
+    def name(self) -> str:
+        return f"{self.factor} {self.takes}".strip()
+
+
+def _constant(factor: str, takes: str, **constants: float) -> Choice:
+    return Choice(factor, takes, {"constants": constants})
+
+
+DEFAULT = Choice("default", "", {})
+CHOICES = (
+    _constant("L_0 of the posturing", "15 mm", L_0_posture_m=0.015),
+    _constant("θ_0", "0.248 rad", rest_angle_rad=0.248),
+    _constant("θ_0", "0.239 rad", rest_angle_rad=0.239),
+    _constant("θ_0", "0.2 rad", rest_angle_rad=0.2),
+    # The vibrating TA has these in the paper's table; the posturing of serry2026 has 0.4 and 1.07.
+    _constant("TA of the posturing", "ε_m 0.3, b 1", TA_strain_at_max_active_stress=0.3, TA_active_width_b=1.0),
+    Choice("posturing set", "alzamendi2020", {"model": {"posture_set": "alzamendi2020"}}),
+    Choice("posturing set", "titze2006", {"model": {"posture_set": "titze2006"}}),
+    Choice("posturing set", "palaparthi2019", {"model": {"posture_set": "palaparthi2019"}}),
+    Choice("coupling gradient", "superior_stiff", {"model": {"coupling_gradient": "superior_stiff"}}),
+    Choice("shear", "rotation", {"model": {"shear": "rotation"}}),
+    Choice("initial state", "static", {"run": {"start": "static"}}),
+    Choice("window", "last second of 2 s", {"run": {"duration_s": 2.0}}),
+    Choice("level", "at 30 cm", {}, level="spl_30cm_db"),
+    Choice("vowel", "i", {"vowel": "i"}),
+    Choice("vowel", "u", {"vowel": "u"}),
+    Choice("vowel", "AE", {"vowel": "AE"}),
+    Choice("time step", "the paper's", {"run": {"time_step_s": PAPER_STEP_S}}, control=True),
+)
+
+
+def both(first: Choice, second: Choice) -> Choice:
+    """Two choices at once."""
+    level = next((choice.level for choice in (first, second) if choice.level != LEVEL), LEVEL)
+    return Choice(f"{first.name} +", second.name, _merged(first.change, second.change), level)
+
+
+def _merged(one: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:
+    merged = dict(one)
+    for key, value in other.items():
+        merged[key] = _merged(merged[key], value) if isinstance(value, Mapping) and key in merged else value
+    return merged

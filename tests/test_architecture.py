@@ -1,0 +1,199 @@
+"""The rooms of docs/implementation.md, held: who may import whom, what may stand where, how long a file may be."""
+
+import ast
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+PYTHON_ROOMS = ("vfcore", "cli", "server", "frontend", "paperscore", "benchmarks", "tests")
+OUTSIDE_THE_PHYSICS = {"vocalis_cli", "vocalis_server", "vocalis_frontend", "vocalis_paper", "vocalis_bench", "server"}
+WEB_AND_PLOTS = {
+    "fastapi",
+    "starlette",
+    "uvicorn",
+    "pydantic",
+    "pydantic_settings",
+    "plotly",
+    "matplotlib",
+    "typer",
+    "rich",
+}
+LONGEST = 250
+#: What line 1 of a longer file says: that it is long, and why.
+REASON = re.compile(r"longer than|over 250 lines", re.IGNORECASE)
+
+BASE = {"errors", "fields", "constants", "params", "posture.tables"}
+#: For each room of vfcore, the rooms and modules it may import besides itself.
+MAY_IMPORT = {
+    "kernels": set(),
+    "measures": {"errors", "fields"},
+    "tissue": BASE,
+    "posture": BASE | {"kernels"},
+    "acoustics": BASE | {"kernels"},
+    "errors": set(),
+    "fields": {"errors"},
+    "constants": {"errors", "fields"},
+    "params": {"errors", "fields", "constants", "posture.tables"},
+    "version": set(),
+    "closure": set(),
+    "assemble": BASE | {"tissue", "kernels"},
+    "stability": BASE | {"assemble"},
+    "statics": BASE | {"assemble", "closure"},
+    "march": BASE | {"assemble", "statics", "kernels"},
+}
+#: For each folder of the page, the folders it must not see.
+PAGE_MUST_NOT_SEE = {
+    "state": ("controls", "views", "audio", "plots"),
+    "plots": ("controls", "views", "audio"),
+    "audio": ("controls", "views", "plots"),
+    "controls": ("views",),
+}
+
+
+def files(*suffixes: str, under: tuple[str, ...] = PYTHON_ROOMS) -> list[Path]:
+    found = [path for room in under for path in (ROOT / room).rglob("*") if path.suffix in suffixes and path.is_file()]
+    return sorted(
+        path for path in found if not {"vendor", "node_modules", "__pycache__", ".hypothesis"} & set(path.parts)
+    )
+
+
+def name_of(path: Path) -> str:
+    return path.relative_to(ROOT).as_posix()
+
+
+@cache
+def tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+def imports(path: Path) -> set[str]:
+    """Dotted names of the modules a file imports, anywhere in it; of ``from a import b`` both a and a.b."""
+    names = set()
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{name_of(path)} imports relatively"
+            names |= {node.module} | {f"{node.module}.{alias.name}" for alias in node.names}
+    return names
+
+
+def top_levels(path: Path) -> set[str]:
+    return {name.split(".")[0] for name in imports(path)}
+
+
+PYTHON = files(".py")
+VFCORE = [path for path in PYTHON if name_of(path).startswith("vfcore/")]
+MODULES = {".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): path for path in VFCORE}
+
+
+def modules_used(path: Path) -> set[str]:
+    """The vfcore modules a file imports, without the packages around them."""
+    own = {name for name in imports(path) if name in MODULES}
+    return {name for name in own if not any(other.startswith(name + ".") for other in own)}
+
+
+def test_the_rooms_are_there_and_read():
+    assert len(VFCORE) > 50 and "vfcore.kernels.fold" in MODULES
+    assert "numba" in top_levels(ROOT / "vfcore/kernels/jit.py")
+
+
+def test_only_one_file_imports_numba():
+    assert [name_of(path) for path in PYTHON if {"numba", "llvmlite"} & top_levels(path)] == ["vfcore/kernels/jit.py"]
+
+
+def test_the_physics_knows_no_web_no_plots_and_nobody_above_it():
+    above = {name_of(path): top_levels(path) & (OUTSIDE_THE_PHYSICS | WEB_AND_PLOTS) for path in VFCORE}
+    assert not {name: used for name, used in above.items() if used}
+
+
+@pytest.mark.parametrize("room", MAY_IMPORT)
+def test_imports_point_down(room):
+    allowed = MAY_IMPORT[room] | {room}
+    members = [name for name in MODULES if name == f"vfcore.{room}" or name.startswith(f"vfcore.{room}.")]
+    assert members
+    for member in members:
+        for used in modules_used(MODULES[member]):
+            if used == "vfcore":  # `from vfcore import assemble` is counted as vfcore.assemble
+                continue
+            short = used.removeprefix("vfcore.")
+            assert any(short == name or short.startswith(name + ".") for name in allowed), f"{member} imports {used}"
+
+
+def test_no_import_goes_round_in_a_circle():
+    graph = {name: modules_used(path) - {name, "vfcore"} for name, path in MODULES.items()}
+    finished: set[str] = set()
+
+    def visit(name, way):
+        assert name not in way, " → ".join([*way[way.index(name) :], name])
+        if name not in finished:
+            for used in sorted(graph[name]):
+                visit(used, [*way, name])
+            finished.add(name)
+
+    for name in graph:
+        visit(name, [])
+    assert finished == set(graph)
+
+
+def test_jobs_do_not_know_the_web():
+    jobs = files(".py", under=("server/jobs",))
+    assert jobs
+    assert not [name_of(path) for path in jobs if top_levels(path) & {"fastapi", "starlette"}]
+
+
+@pytest.mark.parametrize("room", PAGE_MUST_NOT_SEE)
+def test_the_parts_of_the_page_meet_in_the_state(room):
+    scripts = files(".js", under=(f"frontend/{room}",))
+    assert scripts
+    for path in scripts:
+        seen = re.findall(r"""(?:from|import)\s*\(?["'](?:\.\./)+(\w+)/""", path.read_text(encoding="utf-8"))
+        assert not set(seen) & set(PAGE_MUST_NOT_SEE[room]), name_of(path)
+
+
+def test_nothing_prints_but_the_command_line():
+    """server/serve.py is the command line of the server: it says where the page is."""
+    printing = [
+        name_of(path) for path in files(".py", under=("vfcore", "server")) if any(map(_prints, ast.walk(tree(path))))
+    ]
+    assert set(printing) <= {"server/serve.py"}
+
+
+def _prints(node) -> bool:
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "print"
+
+
+def test_a_long_file_says_why_in_its_first_line():
+    long = {path: path.read_text(encoding="utf-8").splitlines() for path in files(".py", ".js", ".css")}
+    assert [name_of(path) for path, text in long.items() if len(text) > LONGEST and not REASON.search(text[0])] == []
+
+
+def test_nothing_is_left_for_later_and_no_file_is_a_drawer():
+    mark = re.compile(r"\b(?:TO" + r"DO|FIX" + r"ME|XX" + r"X)\b")
+    every = files(".py", ".js", ".css", ".html")
+    assert [name_of(path) for path in every if mark.search(path.read_text(encoding="utf-8"))] == []
+    assert [name_of(path) for path in every if re.fullmatch(r"utils?|helpers?|misc|common", path.stem)] == []
+
+
+def test_every_file_of_the_physics_says_what_it_is():
+    written = [path for path in VFCORE if path.read_text(encoding="utf-8").strip()]
+    assert [name_of(path) for path in written if not ast.get_docstring(tree(path))] == []
+
+
+def test_compiled_functions_raise_nothing_and_build_no_text():
+    """In the functions under ``@jit``; what stands at module level is not compiled."""
+    foreign = (ast.Raise, ast.Try, ast.JoinedStr, ast.Dict, ast.ListComp)
+    compiled = [
+        node for path in files(".py", under=("vfcore/kernels",)) for node in ast.walk(tree(path)) if _is_jit(node)
+    ]
+    assert len(compiled) > 20
+    assert [node.name for node in compiled if any(isinstance(inner, foreign) for inner in ast.walk(node))] == []
+
+
+def _is_jit(node) -> bool:
+    return isinstance(node, ast.FunctionDef) and any(
+        isinstance(mark, ast.Name) and mark.id == "jit" for mark in node.decorator_list
+    )
