@@ -47,7 +47,7 @@ def memory() -> dict[str, float] | None:
 
 def _run(script: str, environment: dict[str, str]) -> dict[str, float]:
     command = [sys.executable, "-c", script]
-    # The cache directory that this process chose must not be handed down.
+    # A cache directory set by the user would hide the cold start.
     inherited = {name: value for name, value in os.environ.items() if name != "NUMBA_CACHE_DIR"}
     done = subprocess.run(command, env=inherited | environment, check=True, capture_output=True, text=True)
     return json.loads(done.stdout)

@@ -59,10 +59,11 @@ class Plot:
 
     def cell(self, x: tuple[float, float], y: tuple[float, float], fill: str) -> None:
         """A filled rectangle between two values of x and two of y."""
-        left, right, top, bottom = self._at_x(x[0]), self._at_x(x[1]), self._at_y(y[1]), self._at_y(y[0])
-        self._body.append(
-            f'<rect x="{left:.1f}" y="{top:.1f}" width="{right - left:.1f}" height="{bottom - top:.1f}" fill="{fill}"/>'
-        )
+        # Rounded before the size is taken, so that neighbours meet without a seam.
+        left, right = (round(self._at_x(v), 1) for v in x)
+        bottom, top = (round(self._at_y(v), 1) for v in y)
+        size = f'width="{right - left:.1f}" height="{bottom - top:.1f}"'
+        self._body.append(f'<rect x="{left}" y="{top}" {size} fill="{fill}"/>')
 
     def key(self, fill: str, label: str) -> None:
         """A line of the legend for cells."""

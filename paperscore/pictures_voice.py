@@ -21,7 +21,7 @@ def waves(voice: Voice) -> Plot:
     title = "Area and flow" if voice.repeats else "Area and flow, last 10 ms: no cycle"
     plot = Plot(title, spanning(_TIME, t), Axis(-0.05, 1.05, "of the peak"))
     plot.line(t, area / max(area.max(), 1e-30), COLORS[0], label=f"area, peak {area.max() * MM2:.3g} mm²")
-    plot.line(t, flow / max(flow.max(), 1e-30), COLORS[1], label=f"flow, peak {flow.max() * 1e6:.3g} mL/s")
+    plot.line(t, flow / max(flow.max(), 1e-30), COLORS[1], label=f"flow, peak {flow.max() * 1e6:.0f} mL/s")
     return plot
 
 

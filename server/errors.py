@@ -1,5 +1,6 @@
 """Exceptions to problem+json answers; the statuses stand in problems.TABLE."""
 
+import asyncio
 import logging
 from http import HTTPStatus
 from typing import Any
@@ -11,7 +12,7 @@ from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from vfcore.errors import ParameterError, VocalisError
-from vocalis_server.problems import MEDIA_TYPE, TABLE, Kind, document, kind_of, problem_of
+from vocalis_server.problems import MEDIA_TYPE, TABLE, Kind, NotReady, document, kind_of, problem_of
 from vocalis_server.request_schema import OFFERED_KINDS, allowed_at, known_beside
 
 log = logging.getLogger("vocalis")
@@ -55,7 +56,10 @@ async def _over(_: Request, __: Exception) -> Response:
 
 
 class Unforeseen:
-    """Turns what nobody foresaw into a problem too; the log has the traceback, the client does not."""
+    """Turns what nobody foresaw into a problem too; the log has the traceback, the client does not.
+
+    A call is cancelled only when the server stops and has waited for it long enough.
+    """
 
     def __init__(self, app: ASGIApp):
         self._app = app
@@ -70,6 +74,10 @@ class Unforeseen:
 
         try:
             await self._app(scope, receive, watched)
+        except asyncio.CancelledError:
+            if started:
+                raise
+            await answer(NotReady("The server is stopping."))(scope, receive, send)
         except Exception as error:
             if started:
                 raise

@@ -4,7 +4,7 @@ import os
 import subprocess
 import sys
 
-ASK = "import vfcore.kernels.jit, os; print(os.environ['NUMBA_CACHE_DIR'])"
+ASK = "import numba, vfcore.kernels.jit; print(numba.config.CACHE_DIR)"
 
 
 def cache_folder(tmp_path, **settings):

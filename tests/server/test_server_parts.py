@@ -11,7 +11,8 @@ import vocalis_server
 from vocalis_server.jobs.events import DONE, PROGRESS, EventLog
 from vocalis_server.jobs.interactive import ClientLeft, Interactive, Overtaken
 from vocalis_server.jobs.model import TRANSITIONS, IllegalTransition, Job, Status
-from vocalis_server.problems import OTHER, TABLE, kind_of
+from vocalis_server.kernels import Kernels
+from vocalis_server.problems import OTHER, TABLE, NotReady, kind_of
 
 
 def job(status: Status) -> Job:
@@ -106,6 +107,32 @@ def test_a_cancelled_wait_gives_its_place_back():
         assert await first and await gate.run(lambda: "third") == "third"
 
     asyncio.run(main())
+
+
+def test_calls_wait_for_the_kernels(monkeypatch):
+    async def main():
+        kernels = Kernels()
+        waiting = asyncio.create_task(kernels.for_runs())
+        await asyncio.sleep(0.05)
+        assert not waiting.done() and not kernels.ready
+        kernels.start()
+        await waiting
+        assert kernels.ready and "ready" in kernels.message
+
+    asyncio.run(main())
+
+
+def test_calls_are_told_why_there_will_be_no_kernels(monkeypatch):
+    def broken(*_):
+        raise OSError("no space left for compiled code")
+
+    monkeypatch.setattr("vocalis_server.kernels.simulate", broken)
+    kernels = Kernels()
+    kernels.compile()
+    assert not kernels.ready
+    asyncio.run(kernels.for_postures())
+    with pytest.raises(NotReady, match="no space left for compiled code"):
+        asyncio.run(kernels.for_runs())
 
 
 def test_the_log_keeps_of_a_jobs_progress_the_last_word_only():
