@@ -1,19 +1,32 @@
-/** Slow motion: moves the shared phase on while something vibrates, at the rate written on the stage. */
+/**
+ * Slow motion: moves the shared phase on while something vibrates, at the rate written on the stage. While the hand
+ * moves a control the motion takes fewer steps, so that the frames are there for what the hand does.
+ */
 import { effect } from "./ui.js";
 import { isVoiced } from "./result.js";
 import { result } from "./state/outcome.js";
+import { version } from "./state/request.js";
 import { moving, phase, pointing, setPhase, slowdown } from "./state/motion.js";
+
+const HAND_MS = 300; // after its last change the hand counts as moving
+const STEP_BESIDE_HAND_MS = 50;
 
 /** Starts the motion; returns the end of it. */
 export function followMotion() {
+  let handAt = -Infinity;
   let request = 0;
   let before = 0;
   const step = (now) => {
+    request = requestAnimationFrame(step);
+    if (now - handAt < HAND_MS && now - before < STEP_BESIDE_HAND_MS) return;
     const elapsed = Math.min(now - before, 100) / 1e3; // a tab that slept does not leap
     before = now;
     setPhase(phase.peek() + elapsed / slowdown.peek() / result.peek().cycle.periodS);
-    request = requestAnimationFrame(step);
   };
+  const stopHand = effect(() => {
+    void version.value;
+    handAt = performance.now();
+  });
   const stop = effect(() => {
     cancelAnimationFrame(request);
     if (!moving.value || pointing.value || !isVoiced(result.value)) return;
@@ -22,6 +35,7 @@ export function followMotion() {
   });
   return () => {
     stop();
+    stopHand();
     cancelAnimationFrame(request);
   };
 }

@@ -79,19 +79,25 @@ export function postureRequest(schema, values) {
   return body;
 }
 
+/** The values a preset stands for; what it does not speak of stays as it is. */
 export function presetValues(schema, preset, values) {
-  const next = { ...defaultValues(schema), ...flatten(preset.request) };
-  for (const key of Object.keys(next)) if (KEPT_BY_PRESETS.test(key)) next[key] = values[key];
-  return next;
+  return { ...values, ...wantedBy(schema, preset) };
 }
 
 /** The preset these values are, or null. */
 export function presetOf(schema, values) {
-  const same = (preset) => {
-    const wanted = presetValues(schema, preset, values);
-    return Object.keys(wanted).every((key) => wanted[key] === values[key]);
-  };
-  return schema.presets.find(same) ?? null;
+  const is = (preset) => Object.entries(wantedBy(schema, preset)).every(([key, value]) => values[key] === value);
+  return schema.presets.find(is) ?? null;
+}
+
+const wanted = new WeakMap();
+
+function wantedBy(schema, preset) {
+  if (!wanted.has(preset)) {
+    const all = { ...defaultValues(schema), ...flatten(preset.request) };
+    wanted.set(preset, Object.fromEntries(Object.entries(all).filter(([key]) => !KEPT_BY_PRESETS.test(key))));
+  }
+  return wanted.get(preset);
 }
 
 /** What a person typed: a number where it reads as one, else the text itself, which the server then refuses by name. */

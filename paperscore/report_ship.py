@@ -1,7 +1,7 @@
-"""The shipped results and docs/scoreboard.md: `python -m vocalis_paper.report_ship` runs everything and writes both.
+"""The shipped results and the tables of docs/scoreboard.md, in a source tree (an installed package has no docs/).
 
-With `--text` only docs/scoreboard.md is written, from the shipped results. For a source tree, not for an installed
-package: there docs/ does not exist.
+`python -m vocalis_paper.report_ship` runs everything and writes both; with `--text` the tables alone, from the shipped
+results.
 """
 
 import json
@@ -14,7 +14,7 @@ from typing import Any
 from vfcore.document import json_text
 from vfcore.files.atomic import write_bytes
 from vfcore.params import VARIANTS
-from vocalis_paper.report_text import scoreboard_markdown
+from vocalis_paper.report_text import filled, tables
 from vocalis_paper.run import workers
 from vocalis_paper.run_document import score_variant, scoreboard
 from vocalis_paper.study import study_document
@@ -39,8 +39,9 @@ def run_and_write() -> None:
 
 
 def write_page() -> None:
-    """docs/scoreboard.md from the shipped documents."""
-    write_bytes(PAGE, scoreboard_markdown(shipped(SCOREBOARD), shipped(STUDY)).encode())
+    """The tables of docs/scoreboard.md from the shipped documents."""
+    page = PAGE.read_text(encoding="utf-8")
+    write_bytes(PAGE, filled(page, tables(shipped(SCOREBOARD), shipped(STUDY))).encode())
 
 
 def _write(path: Path, document: Mapping[str, Any]) -> None:

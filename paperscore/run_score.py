@@ -19,9 +19,8 @@ DEFINITIONS = ("bands.py", "cases.py", "claim.py", "claims_*.py", "evidence.py",
                "trends.py", "vibration.py", "voicing.py")  # fmt: skip
 
 
-def definitions_hash() -> str:
+def definitions_hash(room: Path = Path(__file__).parent) -> str:
     """SHA-256 over the source of all definitions: scores of another hash were judged by other rules."""
-    room = Path(__file__).parent
     digest = hashlib.sha256()
     for path in sorted(path for pattern in DEFINITIONS for path in room.glob(pattern)):
         digest.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")

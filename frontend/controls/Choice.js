@@ -1,5 +1,5 @@
 /** One of a few options as a list to choose from. */
-import { html } from "../ui.js";
+import { html, useComputed } from "../ui.js";
 import { problems } from "../state/outcome.js";
 import { schema, setValue, values } from "../state/request.js";
 import { CONTROL, OPTION_NAMES } from "../texts.js";
@@ -8,8 +8,8 @@ import { Refusal } from "./Refusal.js";
 
 export function Choice({ path }) {
   const row = schema.value.parameters.get(path);
-  const value = values.value[path];
-  const problem = problems.value[path];
+  const value = useComputed(() => values.value[path]).value;
+  const problem = useComputed(() => problems.value[path]).value;
   const id = controlId(path);
   return html`
     <div class="field">

@@ -1,5 +1,5 @@
 /** A number that is typed rather than dragged. */
-import { html } from "../ui.js";
+import { html, useComputed } from "../ui.js";
 import { problems } from "../state/outcome.js";
 import { schema } from "../state/request.js";
 import { controlId } from "./focus.js";
@@ -8,7 +8,7 @@ import { TypedValue } from "./TypedValue.js";
 
 export function NumberField({ path, placeholder }) {
   const row = schema.value.parameters.get(path);
-  const problem = problems.value[path];
+  const problem = useComputed(() => problems.value[path]).value;
   const id = controlId(path);
   return html`
     <div class="field" title=${row.help}>

@@ -1,5 +1,5 @@
 /** One number as a slider: name, typed value, track with its default marked, and one line of help or refusal. */
-import { html, useEffect, useRef } from "../ui.js";
+import { html, useComputed, useEffect, useRef } from "../ui.js";
 import { numberText } from "../plots/axis.js";
 import { problems } from "../state/outcome.js";
 import { resetValue, schema, setValue, values } from "../state/request.js";
@@ -14,8 +14,8 @@ const LEAP = 10; // Shift moves by ten steps
 /** `also(value)`: the value in a second unit; `role`: one line of what it does. */
 export function Slider({ path, colour, role = "", also }) {
   const row = schema.value.parameters.get(path);
-  const value = values.value[path];
-  const problem = problems.value[path];
+  const value = useComputed(() => values.value[path]).value;
+  const problem = useComputed(() => problems.value[path]).value;
   const id = controlId(path);
   const share = (v) => (Math.max(row.min, Math.min(row.max, v)) - row.min) / (row.max - row.min);
   const shown = Number.isFinite(value) ? value : row.default;

@@ -1,5 +1,5 @@
 /** Name, voice, model, and the few things about the page itself. */
-import { html } from "../ui.js";
+import { html, useComputed } from "../ui.js";
 import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
 import { choosePreset, preset, schema, setValue, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
@@ -37,10 +37,11 @@ function Presets() {
 }
 
 export function Variants() {
+  const chosen = useComputed(() => values.value["model.variant"]).value;
   return html`
     <label class="pick variant">
       <span>${TOP.variant}</span>
-      <select value=${values.value["model.variant"]} onChange=${(event) => setValue("model.variant", event.target.value)}>
+      <select value=${chosen} onChange=${(event) => setValue("model.variant", event.target.value)}>
         ${schema.value.variants.map(({ key, help }) => html`<option value=${key} title=${help}>${VARIANT_NAMES[key] ?? key}</option>`)}
       </select>
     </label>

@@ -1,5 +1,5 @@
 /** The value of a parameter as text that can be typed over; the server decides whether it can be used. */
-import { html, useRef } from "../ui.js";
+import { html, useComputed, useRef } from "../ui.js";
 import { problems } from "../state/outcome.js";
 import { schema, setValue, values } from "../state/request.js";
 import { typed } from "../params.js";
@@ -7,7 +7,8 @@ import { CONTROL } from "../texts.js";
 
 export function TypedValue({ path, id, placeholder, label, wide = false }) {
   const row = schema.value.parameters.get(path);
-  const value = values.value[path];
+  const value = useComputed(() => values.value[path]).value;
+  const refused = useComputed(() => path in problems.value).value;
   const field = useRef(null);
   const text = textOf(value, row);
   const commit = () => {
@@ -19,7 +20,7 @@ export function TypedValue({ path, id, placeholder, label, wide = false }) {
   return html`<input
     ref=${field} id=${id} class=${wide ? "typed wide" : "typed"} type="text" inputmode="decimal" autocomplete="off" spellcheck=${false}
     value=${text} placeholder=${placeholder} aria-label=${label ?? (id ? undefined : CONTROL.typed(row.short ? `${row.name} (${row.short})` : row.name))}
-    aria-invalid=${problems.value[path] ? "true" : undefined}
+    aria-invalid=${refused ? "true" : undefined}
     onChange=${commit} onFocus=${(event) => event.target.select()}
     onKeyDown=${(event) => event.key === "Escape" && ((field.current.value = text), field.current.blur())}
   />`;

@@ -1,13 +1,13 @@
 /** The vowel: eleven buttons in the order of the vowel chart's rim. */
-import { html } from "../ui.js";
+import { html, useComputed } from "../ui.js";
 import { problems } from "../state/outcome.js";
 import { schema, setValue, values } from "../state/request.js";
 import { Refusal } from "./Refusal.js";
 
 export function Vowels() {
   const { parameters, vowels } = schema.value;
-  const chosen = values.value.vowel;
-  const problem = problems.value.vowel;
+  const chosen = useComputed(() => values.value.vowel).value;
+  const problem = useComputed(() => problems.value.vowel).value;
   return html`
     <fieldset class="control vowels">
       <legend class="control-head">

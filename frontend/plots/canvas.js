@@ -1,7 +1,10 @@
 /** A canvas that is sharp on every screen. */
 
-/** The 2-d context of `canvas` in CSS pixels for a box of `width` by `height`, cleared; null when it has no size. */
-export function prepare(canvas, width, height) {
+/**
+ * The 2-d context of `canvas` in CSS pixels for a box of `width` by `height`, cleared; null when it has no size.
+ * `ground`: a colour that fills it, which lets the browser lay it down without blending.
+ */
+export function prepare(canvas, width, height, ground = null) {
   if (width < 2 || height < 2) return null;
   const ratio = Math.min(window.devicePixelRatio || 1, 3);
   const w = Math.round(width * ratio);
@@ -10,10 +13,30 @@ export function prepare(canvas, width, height) {
     canvas.width = w;
     canvas.height = h;
   }
-  const context = canvas.getContext("2d");
+  const context = canvas.getContext("2d", { alpha: ground === null });
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  context.clearRect(0, 0, width, height);
+  if (ground === null) {
+    context.clearRect(0, 0, width, height);
+  } else {
+    context.fillStyle = ground;
+    context.fillRect(0, 0, width, height);
+  }
   return context;
+}
+
+/** What seldom changes, painted once and laid down in every frame. */
+export class Layer {
+  #canvas = document.createElement("canvas");
+  #made = null;
+
+  /** Lay down what `paint(context, box, model)` draws; painted anew when `model` or the box is another. */
+  draw(context, box, model, paint) {
+    if (this.#made?.model !== model || this.#made.width !== box.width || this.#made.height !== box.height) {
+      paint(prepare(this.#canvas, box.width, box.height), box, model);
+      this.#made = { model, width: box.width, height: box.height };
+    }
+    context.drawImage(this.#canvas, 0, 0, box.width, box.height);
+  }
 }
 
 /** A smooth line through points [[x, y], …] (Catmull–Rom), added to the current path. */

@@ -10,7 +10,7 @@ import { APP, STATES, hintFor } from "../texts.js";
 export function PhonationState() {
   const shown = result.value;
   const state = shown?.state ?? "waiting";
-  const hint = shown?.state === "none" ? hintFor(values.value, measured(shown, "gap_mm") ?? 0) : "";
+  const hint = shown?.state === "none" ? hintFor(values.peek(), measured(shown, "gap_mm") ?? 0) : "";
   return html`
     <div class="phonation" data-state=${state}>
       <p class="phonation-state"><i class="state-mark" aria-hidden="true"></i>${shown ? STATES[state] : APP.waiting}</p>

@@ -1,20 +1,21 @@
 /**
  * A canvas that follows state. `model()` reads signals and may answer null (nothing to show); `paint(context, box,
- * model)` draws it in the next frame, once, however often the state changed since the last.
+ * model)` draws it in the next frame, once, however often the state changed since the last. `ground(model)`: the colour
+ * behind it, where there is one.
  */
 import { effect, html, signal, useEffect, useRef } from "../ui.js";
 import { Disposal } from "../dispose.js";
 import { forget, inFrame } from "../frame.js";
 import { prepare } from "../plots/canvas.js";
 
-export function Picture({ model, paint, label, name }) {
+export function Picture({ model, paint, label, name, ground }) {
   const canvas = useRef(null);
-  useEffect(() => follow(canvas.current, model, paint), []);
+  useEffect(() => follow(canvas.current, model, paint, ground), []);
   const words = label ? { role: "img", "aria-label": label } : { "aria-hidden": "true" };
   return html`<canvas ref=${canvas} class="picture" data-picture=${name} ...${words}></canvas>`;
 }
 
-function follow(canvas, model, paint) {
+function follow(canvas, model, paint, ground) {
   const disposal = new Disposal();
   const size = signal({ width: 0, height: 0 });
   const observer = new ResizeObserver(([entry]) => {
@@ -28,7 +29,7 @@ function follow(canvas, model, paint) {
       const box = size.value;
       const shown = model();
       inFrame(canvas, () => {
-        const context = prepare(canvas, box.width, box.height);
+        const context = prepare(canvas, box.width, box.height, shown && ground?.(shown));
         if (context && shown) paint(context, box, shown);
       });
     }),

@@ -1,10 +1,11 @@
 /**
- * The body: both folds from above, moving in slow motion, between cartilages and muscles. Three layers, so that only
- * the folds are painted in every frame.
+ * The body: both folds from above, moving in slow motion, between cartilages and muscles. What the posture decides is
+ * painted once, the folds in every frame.
  */
-import { html } from "../ui.js";
+import { computed, html } from "../ui.js";
 import { muscleOf, musclePaths } from "../state/muscles.js";
 import { anatomyOf, drawBackdrop, drawCartilages, drawMuscles, drawPosteriorGap, strands } from "../plots/anatomy-draw.js";
+import { Layer } from "../plots/canvas.js";
 import { contactAlong, foldEdges, stageView, staticEdges } from "../plots/glottis.js";
 import { drawFolds, drawGhost, drawMidline } from "../plots/glottis-draw.js";
 import { drawMuscleNames, drawScaleBar, drawWords } from "../plots/stage-labels.js";
@@ -34,9 +35,7 @@ export function Stage({ compact = false }) {
       </div>
       ${!compact && html`<${PostureLine} />`}
       <div class="stage-view">
-        <${Picture} name="stage-behind" model=${stillModel} paint=${paintBehind} />
-        <${Picture} name="stage" model=${foldsModel} paint=${paintFolds} label=${STAGE.picture} />
-        <${Picture} name="stage-before" model=${stillModel} paint=${paintBefore} />
+        <${Picture} name="stage" model=${stageModel} paint=${stagePainter()} ground=${groundOf} label=${STAGE.picture} />
         ${!compact && html`<${Legend} /><${Closure} />`}
       </div>
       <${Transport} />
@@ -45,7 +44,7 @@ export function Stage({ compact = false }) {
 }
 
 /** What the posture decides; null before the first. */
-function stillModel() {
+const still = computed(() => {
   const answered = posture.value;
   if (!answered) return null;
   const rest = staticEdges(answered.static_shape);
@@ -58,22 +57,32 @@ function stillModel() {
     names: Object.fromEntries(musclePaths().map((path) => [muscleOf(path), schema.value.parameters.get(path).short])),
     rest,
   };
+});
+
+/** The stage now: folds moving where they vibrate, at rest where they do not. */
+function stageModel() {
+  if (!still.value) return null;
+  const { rest } = still.value;
+  const folds = isVoiced(result.value) ? movingFolds(result.value) : { edges: rest, contact: rest.u.map(() => 0) };
+  return { still: still.value, ...folds };
 }
 
-/** The folds now: moving where they vibrate, at rest where they do not. */
-function foldsModel() {
-  const answered = posture.value;
-  if (!answered) return null;
-  const view = { colours: palette.value, orientation: orientation.value, withAnatomy: musclesShown.value };
-  if (isVoiced(result.value)) return { ...view, ...movingFolds(result.value) };
-  const rest = staticEdges(answered.static_shape);
-  return { ...view, edges: rest, contact: rest.u.map(() => 0) };
-}
+const groundOf = (model) => model.still.colours.panel;
 
 function movingFolds({ fields }) {
   const now = phase.value;
   const along = contactAlong(fields, fieldAt(fields, "contact", now));
   return { edges: foldEdges(fields, fieldAt(fields, "w", now)), contact: along.map((p) => p / fields.contactRange.max) };
+}
+
+function stagePainter() {
+  const behind = new Layer();
+  const before = new Layer();
+  return (context, box, model) => {
+    behind.draw(context, box, model.still, paintBehind);
+    drawFolds(context, viewOf(box, model.still), model.edges, model.contact, model.still.colours);
+    before.draw(context, box, model.still, paintBefore);
+  };
 }
 
 const viewOf = (box, model) => stageView(box.width, box.height, model.orientation, model.withAnatomy);
@@ -82,10 +91,6 @@ function paintBehind(context, box, model) {
   const view = viewOf(box, model);
   drawBackdrop(context, view, model.anatomy, model.colours);
   drawPosteriorGap(context, view, model.anatomy, model.colours);
-}
-
-function paintFolds(context, box, model) {
-  drawFolds(context, viewOf(box, model), model.edges, model.contact, model.colours);
 }
 
 function paintBefore(context, box, model) {

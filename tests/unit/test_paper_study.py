@@ -1,0 +1,82 @@
+"""The study changes one thing at a time, pairs what helped, and tells better from worse."""
+
+import pytest
+
+from tests.support.inline_pool import InlinePool
+from vfcore.params import Simulation
+from vfcore.request import simulation_from_dict
+from vocalis_paper import study
+from vocalis_paper.study import changes, promising, study_document
+from vocalis_paper.study_choices import CHOICES, DEFAULT, Choice, both
+from vocalis_paper.study_text import study_markdown
+
+
+def row(name, **verdicts):
+    counts = {v: list(verdicts.values()).count(v) for v in ("pass", "deviation", "fail")}
+    return {"choice": name, "score": counts, "outcomes": {k: {"verdict": v} for k, v in verdicts.items()}}
+
+
+DEFAULT_ROW = row("default", A1="deviation", P2="deviation", P3="fail")
+
+
+@pytest.mark.parametrize("choice", CHOICES, ids=lambda choice: choice.name)
+def test_a_choice_is_a_request_that_is_not_the_default(choice):
+    changed = simulation_from_dict(choice.change) != Simulation()
+    assert changed or choice.level != DEFAULT.level
+
+
+def test_two_choices_at_once_keep_both_constants():
+    at = {choice.name: choice for choice in CHOICES}
+    pair = both(at["L_0 of the posturing 15 mm"], at["θ_0 0.239 rad"])
+    request = simulation_from_dict(pair.change)
+    assert request.posturing.L_0_posture_m == 0.015 and request.constants.rest_angle_rad == 0.239
+    assert simulation_from_dict(at["θ_0 0.239 rad"].change).posturing.L_0_posture_m == 0.0173
+    assert both(at["level at 30 cm"], at["vowel i"]).level == both(at["vowel i"], at["level at 30 cm"]).level
+    assert both(at["vowel i"], at["level at 30 cm"]).level == "spl_30cm_db"
+
+
+def test_pairs_are_made_of_the_best_choice_of_each_factor_that_matters():
+    rows = [
+        (DEFAULT, DEFAULT_ROW),
+        (Choice("start", "a", {}), row("a", A1="pass", P2="deviation", P3="fail")),
+        (Choice("start", "b", {}), row("b", A1="pass", P2="pass", P3="fail")),
+        (Choice("vowel", "c", {}), row("c", A1="deviation", P2="deviation", P3="fail")),
+        (Choice("set", "d", {}), row("d", A1="fail", P2="fail", P3="deviation")),
+        (Choice("step", "e", {}, control=True), row("e", A1="pass", P2="pass", P3="pass")),
+    ]
+    assert [choice.takes for choice in promising(rows)] == ["b", "d"]
+
+
+def test_changes_and_table_tell_better_from_worse():
+    other = row("θ_0 0.2 rad", A1="pass", P2="fail", P3="fail")
+    assert changes(other, DEFAULT_ROW) == [("A1", "deviation", "pass"), ("P2", "deviation", "fail")]
+    line = study_markdown({"rows": [DEFAULT_ROW, other]}).splitlines()[-1]
+    assert line == "| θ_0 0.2 rad | 1 | 0 | 2 | A1 pass | P2 fail |"
+
+
+def test_the_study_runs_default_choices_and_pairs_on_coarse_maps(monkeypatch):
+    asked = []
+
+    def gathered(cases, pool, progress, level):
+        asked.append((cases["ct_ta_map"].base, len(cases["ct_ta_map"].requests()), level))
+        return study.gather.__wrapped__(cases) if hasattr(study.gather, "__wrapped__") else _Nothing
+
+    def judged(evidence, claims):
+        from vocalis_paper.claim import Outcome, Verdict
+
+        moved = asked[-1][0].vowel != "a" or asked[-1][2] != "spl_lips_db"
+        return {key: Outcome(Verdict.PASS if moved else Verdict.FAIL, (), "") for key in claims}
+
+    monkeypatch.setattr(study, "gather", gathered)
+    monkeypatch.setattr(study, "judge", judged)
+    monkeypatch.setattr(study, "warm_up", lambda request: None)
+    document = study_document(InlinePool())
+    names = [one["choice"] for one in document["rows"]]
+    assert names[0] == DEFAULT.name and names[-1].startswith("level at 30 cm + vowel")
+    assert len(names) == 1 + len(CHOICES) + 1
+    assert {cells for _, cells, _ in asked} == {121}
+    assert "T1" not in document["rows"][0]["outcomes"] and len(document["rows"][0]["outcomes"]) == 28
+
+
+class _Nothing:
+    evidence, failures = {}, []
