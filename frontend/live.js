@@ -16,7 +16,7 @@ const RETRY_MS = 1500;
 /** Starts following the request; returns the end of it. */
 export function followRequest() {
   let retry = 0;
-  const failed = (error, job) => {
+  const failed = (call) => (error, job) => {
     if (!(error instanceof Problem)) throw error;
     if (error.status === 401) return setConnection("login");
     if (error.status === 0 || error.status === 503) {
@@ -24,7 +24,7 @@ export function followRequest() {
       clearTimeout(retry);
       retry = setTimeout(() => push(job), RETRY_MS);
     }
-    if (job.version === version.peek()) takeProblem(error);
+    if (job.version === version.peek()) takeProblem(call, error, job.version);
   };
   const postures = new Lane(
     (job) => postJson("posture", job.postureBody),
@@ -33,15 +33,15 @@ export function followRequest() {
       takePosture(answer, job.gesture);
       afterPaint(() => recordShown("slider to shape", job.version));
     },
-    failed,
+    failed("posture"),
   );
   const voices = new Lane(
     (job) => simulate(job.body, LIVE_ARRAYS),
     (answer, job) => {
-      takeResult(makeResult(answer));
+      takeResult(makeResult(answer), job.version);
       afterPaint(() => recordShown("slider to all", job.version));
     },
-    failed,
+    failed("voice"),
   );
   const push = (job) => {
     postures.push(job);

@@ -10,7 +10,8 @@ import { followMotion } from "./motion.js";
 import { readSchema } from "./params.js";
 import { palette } from "./plots/theme.js";
 import { followSpeech } from "./speak.js";
-import { begin, schema } from "./state/request.js";
+import { answered } from "./state/outcome.js";
+import { begin, schema, version } from "./state/request.js";
 import { setConnection, setHealth, showNotice } from "./state/session.js";
 import { TOP } from "./texts.js";
 import { followUrl, readQuery } from "./url.js";
@@ -20,6 +21,7 @@ const POLL_MS = 400;
 
 const page = new Disposal();
 page.add(effect(() => void palette.value)); // sets the theme before the first paint
+page.add(effect(() => document.body.setAttribute("aria-busy", String(answered.value !== version.value))));
 render(html`<${App} entered=${start} />`, document.getElementById("page"));
 for (const follow of [followKeys, followMotion, followVoice, followRequest, followUrl, followSpeech]) page.add(follow());
 page.add(stopFollowing);

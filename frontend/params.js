@@ -72,10 +72,9 @@ export function simulationRequest(schema, values, run = {}) {
   return body;
 }
 
-/** The posture call takes the same document without the run's own fields. */
+/** The posture call takes the same document without the run. */
 export function postureRequest(schema, values) {
-  const body = nest(changedValues(schema, values));
-  body.kind = "simulation";
+  const { run, ...body } = simulationRequest(schema, values);
   return body;
 }
 

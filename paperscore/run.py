@@ -129,7 +129,7 @@ def _static(case: Case, answers: list) -> evidence.StaticSeries | Failure:
     (axis,) = case.axes
     for level, answer in zip(axis.levels, answers, strict=True):
         if isinstance(answer, Failure):
-            return Failure(f"{' = '.join(axis.muscles)} {level:g}: {answer.reason}")
+            return Failure(f"{' = '.join(axis.muscles).upper()} {level:g}: {answer.reason}")
     return evidence.static_series(axis.levels, answers)
 
 

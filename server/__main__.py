@@ -4,13 +4,12 @@ import argparse
 import sys
 
 from vocalis_server.kernels import Kernels
-from vocalis_server.serve import serve
-from vocalis_server.settings import Settings
+from vocalis_server.serve import read_settings, serve
 
 
 def main() -> None:
     """Options; what is left out comes from the environment (VOCALIS_*)."""
-    default = Settings()
+    default = read_settings()
     parser = argparse.ArgumentParser(prog="python -m vocalis_server", description=__doc__)
     parser.add_argument("--host", default=default.host, help="address to listen on (default %(default)s)")
     parser.add_argument("--port", type=int, default=default.port, help="port (default %(default)s); 0: any free one")

@@ -5,8 +5,10 @@ import os
 import socket
 import sys
 from contextlib import suppress
+from typing import Any
 
 import uvicorn
+from pydantic import ValidationError
 
 from vocalis_server.access import is_loopback
 from vocalis_server.app import create_app
@@ -29,7 +31,9 @@ def serve(
     printed once. Exits with one line when the address cannot be used.
     """
     given = {"token": token, "tls_cert": tls_cert, "tls_key": tls_key}
-    settings = Settings(host=host, port=port, **{name: value for name, value in given.items() if value is not None})
+    settings = read_settings(
+        host=host, port=port, **{name: value for name, value in given.items() if value is not None}
+    )
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
     listener = _listen(settings.host, settings.port)
     app = create_app(settings)
@@ -42,8 +46,22 @@ def serve(
         ssl_certfile=settings.tls_cert,
         ssl_keyfile=settings.tls_key,
     )
+    try:
+        config.load()
+    except OSError as error:  # an SSLError is one too
+        sys.exit(f"vocalis: the certificate and its key cannot be used: {error}")
     with suppress(KeyboardInterrupt):  # uvicorn raises the signal again once it has shut down
         _Server(config, app.state.services, _address(settings, listener)).run(sockets=[listener])
+
+
+def read_settings(**given: Any) -> Settings:
+    """The settings in force; exits with one line when a variable cannot be used."""
+    try:
+        return Settings(**given)
+    except ValidationError as error:
+        first = error.errors()[0]
+        name = "VOCALIS_" + str(first["loc"][0]).upper() if first["loc"] else "settings"
+        sys.exit(f"vocalis: {name}: {first['input']!r} cannot be used: {first['msg']}")
 
 
 class _Server(uvicorn.Server):

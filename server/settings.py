@@ -3,7 +3,7 @@
 import os
 from typing import Annotated
 
-from pydantic import Field, SecretStr, field_validator
+from pydantic import Field, SecretStr, field_validator, model_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 
@@ -14,7 +14,9 @@ class Settings(BaseSettings):
 
     host: str = "127.0.0.1"
     port: int = Field(8000, ge=0, le=65535)
-    token: SecretStr | None = Field(None, description="asked of everybody when set; made up when the host is public")
+    token: SecretStr | None = Field(
+        None, description="long and random; asked of everybody when set, made up when the host is public"
+    )
     allowed_hosts: Annotated[tuple[str, ...], NoDecode] = Field((), description="further names a browser may use")
     tls_cert: str | None = None
     tls_key: str | None = None
@@ -32,6 +34,12 @@ class Settings(BaseSettings):
     jobs_kept: int = Field(2000, ge=10, description="finished jobs remembered, all clients together")
     streams_per_client: int = Field(8, ge=1, description="event streams open at a time")
     result_bytes: int = Field(512 * 2**20, ge=2**20, description="memory for results; the least recently used go first")
+
+    @model_validator(mode="after")
+    def _certificate_and_key(self) -> "Settings":
+        if (self.tls_cert is None) != (self.tls_key is None):
+            raise ValueError("tls_cert and tls_key go together")
+        return self
 
     @field_validator("allowed_hosts", mode="before")
     @classmethod

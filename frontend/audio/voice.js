@@ -8,7 +8,7 @@ const HEADROOM = 4;
 export class Voice {
   #source = null;
 
-  /** `context`: AudioContext or OfflineAudioContext. Graph: source → fade → volume → limiter → analyser → out. */
+  /** `context`: AudioContext or OfflineAudioContext. Graph: source → fade → volume → limiter → out. */
   constructor(context) {
     this.context = context;
     this.volume = context.createGain();
@@ -16,9 +16,7 @@ export class Voice {
     into.gain.value = 1 / HEADROOM;
     const limiter = context.createWaveShaper();
     limiter.curve = limiterCurve();
-    this.analyser = context.createAnalyser();
-    this.analyser.fftSize = 8192;
-    this.volume.connect(into).connect(limiter).connect(this.analyser).connect(context.destination);
+    this.volume.connect(into).connect(limiter).connect(context.destination);
   }
 
   setVolume(gain) {

@@ -13,7 +13,7 @@ export function Advanced() {
     (row) => GROUPS_SHOWN.includes(row.group) && !ELSEWHERE.has(row.key) && !(row.options?.length === 1),
   );
   return html`
-    <details class="group advanced">
+    <details class="group advanced" onToggle=${(event) => event.target.open && event.target.scrollIntoView({ block: "start" })}>
       <summary><h2>${GROUPS.advanced}</h2></summary>
       <div class="fields">
         ${rows.map((row) =>

@@ -1,23 +1,27 @@
 /** What the model answered: posture at once, the voice a moment later, or why not. */
-import { batch, signal } from "../ui.js";
+import { batch, computed, signal } from "../ui.js";
 import { readonly } from "./readonly.js";
+
+const NONE = { fields: {}, text: "" };
 
 const _posture = signal(null);
 const _before = signal(null);
 const _result = signal(null);
-const _problems = signal({});
-const _failure = signal("");
+const _answered = signal(0);
+const _refusals = signal({ posture: NONE, voice: NONE });
 
-/** {posture, coefficients, static_shape, version} of the newest answered posture. */
+/** {posture, coefficients, static_shape} of the newest answered posture. */
 export const posture = readonly(_posture);
 /** The posture before the present hand movement: what changes are counted from. */
 export const before = readonly(_before);
 /** The newest voice, see result.js. */
 export const result = readonly(_result);
-/** Refused fields: {path: {message, allowed}}. */
-export const problems = readonly(_problems);
+/** Version of the request that was last answered with a voice or a refusal. */
+export const answered = readonly(_answered);
+/** Refused fields, whichever call refused them: {path: {message, allowed}}. */
+export const problems = computed(() => ({ ..._refusals.value.voice.fields, ..._refusals.value.posture.fields }));
 /** Why there is no answer, when that is not about one field. */
-export const failure = readonly(_failure);
+export const failure = computed(() => _refusals.value.posture.text || _refusals.value.voice.text);
 
 let gestureShown = 0;
 
@@ -28,21 +32,28 @@ export function takePosture(answer, gesture) {
       gestureShown = gesture;
     }
     _posture.value = answer;
-    _problems.value = {};
-    _failure.value = "";
+    refuse("posture", NONE);
   });
 }
 
-export function takeResult(answer) {
+/** `version`: of the request it answers; none for a run that was not live. */
+export function takeResult(answer, version = _answered.value) {
   batch(() => {
     _result.value = answer;
-    _failure.value = "";
+    _answered.value = version;
+    refuse("voice", NONE);
   });
 }
 
-export function takeProblem(problem) {
+/** `call`: posture or voice. */
+export function takeProblem(call, problem, version) {
   batch(() => {
-    _problems.value = Object.fromEntries(problem.fields.map(({ path, ...rest }) => [path, rest]));
-    _failure.value = problem.fields.length ? "" : problem.message;
+    if (call === "voice") _answered.value = version;
+    const fields = Object.fromEntries(problem.fields.map(({ path, ...rest }) => [path, rest]));
+    refuse(call, { fields, text: problem.fields.length ? "" : problem.message });
   });
+}
+
+function refuse(call, refusal) {
+  if (refusal !== _refusals.peek()[call]) _refusals.value = { ..._refusals.peek(), [call]: refusal };
 }

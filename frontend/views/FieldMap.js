@@ -15,16 +15,16 @@ export function FieldMap({ name, title, scaleOf }) {
   const canvas = useRef(null);
   const scale = useComputed(() => (result.value ? scaleOf(result.value.fields) : null));
   useEffect(() => {
+    const place = canvas.current;
     const stop = effect(() => {
       const shown = result.value;
       if (!shown) return;
       const [at, limits, colours] = [phase.value, scale.value, theme.value];
-      inFrame(canvas.current, () => paintField(canvas.current, shown.fields, fieldAt(shown.fields, name, at), limits, colours));
+      inFrame(place, () => paintField(place, shown.fields, fieldAt(shown.fields, name, at), limits, colours));
     });
-    const painted = canvas.current;
     return () => {
       stop();
-      forget(painted);
+      forget(place);
     };
   }, []);
   const fields = result.value?.fields;

@@ -14,7 +14,7 @@ const ITEMS = [
 export function PostureLine() {
   const now = posture.value;
   return html`
-    <dl class="posture-line" data-view="posture">
+    <dl class="posture-line">
       ${ITEMS.map(({ label, decimals, unit = "", read }) => {
         const value = now && read(now.posture);
         const change = now && before.value ? value - read(before.value.posture) : 0;

@@ -8,7 +8,7 @@ import { PhonationState } from "./PhonationState.js";
 
 export function Strip() {
   return html`
-    <footer class="strip" data-view="strip">
+    <footer class="strip" data-result=${result.value?.id}>
       <${PhonationState} />
       <div class="headlines">${HEADLINES.map((item) => html`<${Headline} key=${item.key} item=${item} shown=${result.value} />`)}</div>
       <${SoundControls} />

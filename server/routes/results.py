@@ -9,7 +9,6 @@ from vfcore.audio import render, to_wav_bytes
 from vfcore.document import result_document
 from vfcore.errors import ParameterError
 from vfcore.files.csv import csv_text
-from vfcore.files.netcdf import netcdf_bytes
 from vfcore.result import ARRAYS
 from vocalis_server import schemas
 from vocalis_server.encoding import octets as as_octets
@@ -76,6 +75,8 @@ def audio(job_id: str, shared: Shared, normalize: bool = True) -> Response:
 @router.get("/result.nc", response_class=Response, responses={200: octets("netCDF-4 with units.", NETCDF)} | _PROBLEMS)
 def netcdf(job_id: str, shared: Shared) -> Response:
     """Everything in one netCDF-4 file, with units and provenance."""
+    from vfcore.files.netcdf import netcdf_bytes  # its library would make every start of the server slower
+
     return Response(netcdf_bytes(shared.desk.result(job_id)), headers=_named(job_id, "nc"), media_type=NETCDF)
 
 

@@ -1,5 +1,6 @@
 """The server as a process: its greeting, its token, its end."""
 
+import os
 import re
 import signal
 import socket
@@ -80,6 +81,21 @@ def test_a_port_in_use_is_one_clear_line():
         )
     assert ended.returncode != 0
     assert re.fullmatch(rf"vocalis: cannot listen on 127\.0\.0\.1:{port}: .+\n", ended.stderr)
+
+
+@pytest.mark.parametrize(
+    "options, variables, said",
+    [
+        ([], {"VOCALIS_PORT": "eighty"}, "VOCALIS_PORT: 'eighty' cannot be used"),
+        (["--tls-cert", "/nowhere/cert.pem", "--tls-key", "/nowhere/key.pem"], {}, "certificate and its key"),
+        (["--tls-cert", "/nowhere/cert.pem"], {}, "tls_cert and tls_key go together"),
+    ],
+)
+def test_settings_that_cannot_be_used_are_one_clear_line(options, variables, said):
+    command = [sys.executable, "-m", "vocalis_server", "--port", "0", *options]
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=60, env=os.environ | variables)
+    assert ended.returncode != 0
+    assert said in ended.stderr and ended.stderr.startswith("vocalis: ") and ended.stderr.count("\n") == 1
 
 
 def test_with_a_certificate_it_speaks_https(tmp_path):

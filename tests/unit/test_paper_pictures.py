@@ -5,7 +5,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from tests.support.synthetic_evidence import CT, TA, activation_map, series, states, sweep, voice_of, wave
+from tests.support.synthetic_evidence import CT, HALF_SINE, TA, activation_map, series, states, sweep, voice_of, wave
 from vocalis_paper import CLAIMS
 from vocalis_paper.pictures import figure
 from vocalis_paper.pictures_map import BLANKS, blanks, measure
@@ -14,7 +14,8 @@ from vocalis_paper.run import Failure
 
 VOICE = voice_of(wave(), speed_quotient=1.5, closed_quotient=0.5)
 FOUND = {
-    "static_adduction": series(half_gap=lambda a: 1e-3 * (1 - a)), "static_ta": series(), "static_ct": series(),
+    "static_adduction": series(half_gap=lambda a: 1e-3 * (1 - a)), "static_ta": series(),
+    "static_ct": series(superior=lambda a: 1e-4 * HALF_SINE),
     "static_pca": series(), "modal": VOICE, "pca_half": VOICE, "pca_full": VOICE, "ct_ta_map": activation_map(),
     "pca_sweep": sweep(),
 }  # fmt: skip

@@ -4,8 +4,10 @@ import json
 import re
 from html.parser import HTMLParser
 
+import numpy as np
 import pytest
 
+from tests.support.synthetic_evidence import activation_map, voice_of, wave
 from tests.unit.test_paper_pictures import FOUND
 from vfcore.document import json_text
 from vfcore.params import Simulation
@@ -101,6 +103,17 @@ def test_the_document_is_strict_json_with_its_provenance(document):
     assert sum(paper["score"].values()) == len(CLAIMS) == len(paper["outcomes"])
     assert len(paper["tables"]["ct_ta_map"]["fo_hz"]) == 21
     assert paper["states"]["ct_ta_map"] == {"periodic": 441}
+
+
+def test_what_has_no_value_is_null_and_numbers_keep_six_figures():
+    fo = np.full((21, 21), 1000 / 7)
+    fo[3, 4] = np.nan
+    found = EVIDENCE | {"ct_ta_map": activation_map(fo_hz=fo), "modal": voice_of(wave(), speed_quotient=np.nan)}
+    claims = {key: CLAIMS[key] for key in ("A1", "M2")}
+    one = scoreboard({"paper": Scored(Simulation(), Gathered(found, []), judge(found, claims), 1.0)}, claims)
+    paper = json.loads(json_text(one))["variants"]["paper"]
+    assert paper["tables"]["ct_ta_map"]["fo_hz"][3][3:6] == [142.857, None, 142.857]
+    assert paper["outcomes"]["M2"]["measured"][0]["value"] is None
 
 
 def test_tables_of_the_page_come_between_their_marks(document):

@@ -1,0 +1,100 @@
+"""Everybody can use it: axe finds nothing serious, nothing jumps, a phone needs no sideways scrolling."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.browser.conftest import DESK, PHONE
+
+AXE = (Path(__file__).parent / "vendor" / "axe.min.js").read_text(encoding="utf-8")
+#: Sums what moved without a hand: the definition behind cumulative layout shift.
+SHIFTS = """
+window.shifted = 0;
+new PerformanceObserver((list) => {
+  for (const entry of list.getEntries()) if (!entry.hadRecentInput) window.shifted += entry.value;
+}).observe({ type: "layout-shift", buffered: true });
+"""
+
+
+def findings(here) -> list[str]:
+    """Serious and critical findings of axe on what is shown."""
+    here.page.evaluate(AXE)
+    answer = here.page.evaluate("axe.run(document, { resultTypes: ['violations'] })")
+    return [
+        f"{rule['id']}: {node['target']} {node['failureSummary']}"
+        for rule in answer["violations"]
+        if rule["impact"] in ("serious", "critical")
+        for node in rule["nodes"]
+    ]
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_on_a_desk(visit, scheme):
+    here = visit("?activation.ct=0.5", color_scheme=scheme)
+    here.page.get_by_text("Advanced").click()
+    assert findings(here) == []
+    for panel in ("Measures", "Long run"):
+        here.page.get_by_role("tab", name=panel).click()
+        assert findings(here) == []
+    here.page.locator(".headline").first.click()
+    assert findings(here) == []
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_on_a_phone_and_nothing_is_wider_than_it(visit, scheme):
+    here = visit(viewport=PHONE, has_touch=True, color_scheme=scheme)
+    for tab in ("Muscles", "Waves", "Numbers", "More"):
+        here.page.get_by_role("tab", name=tab, exact=True).click()
+        here.settle()
+        assert here.page.evaluate("document.scrollingElement.scrollWidth") <= 390, tab
+        assert findings(here) == [], tab
+
+
+def test_axe_finds_nothing_when_values_are_refused_or_nothing_vibrates(visit):
+    here = visit("?activation.pca=1&subglottal_pressure_pa=100")
+    assert here.state() == "No sustained vibration"
+    assert findings(here) == []
+
+
+def test_one_screen_holds_the_desk_without_scrolling(visit):
+    here = visit(viewport=DESK)
+    sizes = here.page.evaluate(
+        "[document.scrollingElement, ...document.querySelectorAll('.left, .panel, .strip, .centre')]"
+        ".map((e) => [e.className || e.tagName, e.scrollHeight - e.clientHeight, e.scrollWidth - e.clientWidth])"
+    )
+    assert [size for size in sizes if size[1] > 1 or size[2] > 1] == []
+
+
+@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
+def test_nothing_jumps(visit, viewport):
+    here = visit(viewport=viewport, init=SHIFTS)
+    for key in ("breathy", "no_phonation", "high_pitch"):
+        here.page.get_by_label("Voice").select_option(key)
+        here.settle()
+        here.page.wait_for_timeout(600)  # past the half second in which a shift counts as answered
+    for value in (0.2, 0.9):
+        here.page.evaluate(
+            "v => { const s = document.querySelector('#control-activation-ct'); s.value = v;"
+            " s.dispatchEvent(new Event('input', { bubbles: true })); }",
+            value,
+        )
+        here.settle()
+    assert here.page.evaluate("window.shifted") < 0.02
+
+
+def test_the_stage_stays_on_top_of_a_phone(visit):
+    here = visit(viewport=PHONE, has_touch=True)
+    here.page.mouse.wheel(0, 600)
+    here.page.wait_for_timeout(200)
+    assert here.page.evaluate("scrollY") > 200
+    box = here.page.locator("canvas[data-picture=stage]").bounding_box()
+    tabs = here.page.get_by_role("tablist").bounding_box()
+    assert box["y"] >= 0 and tabs["y"] < 844 / 2 + 60, "stage and tabs are still there"
+
+
+def test_what_became_of_the_voice_is_announced_once_the_hand_rests(visit):
+    here = visit()
+    live = here.page.locator("[aria-live=polite]")
+    live.filter(has_text="Periodic phonation, 150 hertz, 101 decibels").wait_for(state="attached")
+    here.page.get_by_label("Voice").select_option("no_phonation")
+    live.filter(has_text="No sustained vibration.").wait_for(state="attached")

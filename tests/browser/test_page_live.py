@@ -1,0 +1,114 @@
+"""The page follows the hand: every picture, every number, at once."""
+
+import re
+
+import pytest
+
+PICTURES = ("stage", "waves", "shapes", "map-aero", "map-contact")
+
+
+def headline(visit, key: str) -> str:
+    return visit.page.locator(f".headline[data-measure={key}] b").inner_text()
+
+
+def test_one_movement_changes_posture_pictures_numbers_and_address(visit):
+    here = visit()
+    here.hold_still(300)
+    before = {name: here.picture(name) for name in PICTURES}
+    pitch, strain = headline(here, "fo_hz"), here.page.locator(".posture-line").inner_text()
+    here.slider("activation.ct").focus()
+    for _ in range(3):
+        here.page.keyboard.press("Shift+ArrowRight")
+    here.settle()
+    assert here.typed("Cricothyroid (CT)").input_value() == "0.60"
+    assert [name for name in PICTURES if here.picture(name) == before[name]] == []
+    assert float(headline(here, "fo_hz")) > float(pitch) + 10, "CT is the pitch muscle"
+    assert here.page.locator(".posture-line").inner_text() != strain
+    assert "Δ +" in here.page.locator(".posture-line").inner_text(), "what the movement did to the strain is said"
+    here.page.wait_for_url(re.compile(r"activation\.ct=0\.6"))
+
+
+def test_the_address_is_the_voice(visit):
+    here = visit("?activation.ta=0.1&activation.ct=1&vowel=i")
+    assert here.typed("Thyroarytenoid (TA)").input_value() == "0.10"
+    assert here.page.locator("input[name=vowel]:checked").get_attribute("value") == "i"
+    request = here.api(f"jobs/{here.result_id()}/result")["provenance"]["request"]
+    assert request["activation"] == {"ta": 0.1, "ct": 1.0, "lca": 0.8, "ia": 0.8, "pca": 0.0}
+    assert request["vowel"] == "i"
+
+
+def test_a_name_that_is_no_parameter_is_told(visit):
+    here = visit("?activation.tongue=1")
+    assert "activation.tongue" in here.page.locator(".notice").inner_text()
+
+
+def test_a_preset_sets_the_muscles_and_says_what_to_look_for(visit):
+    here = visit()
+    here.page.get_by_label("Voice").select_option("breathy")
+    here.settle()
+    assert here.typed("Posterior cricoarytenoid (PCA)").input_value() == "0.50"
+    assert "flow never stops" in here.page.locator(".look-for").inner_text()
+    assert headline(here, "closed_quotient") == "0.00"
+    here.set("activation.pca", 0.4)
+    assert here.page.get_by_label("Voice").locator("option:checked").inner_text() == "Own settings"
+
+
+def test_double_click_goes_back_to_the_default_and_tied_muscles_move_together(visit):
+    here = visit("?activation.ta=0.9")
+    here.slider("activation.ta").dblclick()
+    here.settle()
+    assert here.typed("Thyroarytenoid (TA)").input_value() == "0.40"
+    here.page.get_by_label("Move LCA and IA together").check()
+    here.set("activation.lca", 0.5)
+    assert here.typed("Interarytenoid (IA)").input_value() == "0.50"
+
+
+def test_pointing_at_a_wave_moves_stage_and_maps_to_that_moment(visit):
+    here = visit()
+    here.hold_still(100)
+    before = {name: here.picture(name) for name in ("stage", "map-aero")}
+    box = here.page.locator(".cursor-field").bounding_box()
+    here.page.mouse.move(box["x"] + 0.9 * box["width"], box["y"] + 0.5 * box["height"])
+    here.settle()
+    assert [name for name in before if here.picture(name) == before[name]] == []
+    assert here.page.locator(".percent").inner_text().strip() != "10 %"
+
+
+def test_the_motion_moves_and_stops(visit):
+    here = visit()
+    first = here.picture("stage")
+    here.page.wait_for_timeout(400)
+    assert here.picture("stage") != first
+    here.page.get_by_role("button", name="Stop the motion").click()
+    here.settle()
+    still = here.picture("stage")
+    here.page.wait_for_timeout(300)
+    assert here.picture("stage") == still
+
+
+def test_reduced_motion_is_honoured(visit):
+    here = visit(reduced_motion="reduce")
+    first = here.picture("stage")
+    here.page.wait_for_timeout(400)
+    assert here.picture("stage") == first
+
+
+@pytest.mark.parametrize("name, generous_ms", [("slider to shape", 500), ("slider to all", 800)])
+def test_how_long_a_movement_takes(visit, name, generous_ms, capsys):
+    """Prints what the page measures of itself; the bound only says that nothing piles up on a busy machine."""
+    here = visit()
+    box = here.slider("activation.ct").bounding_box()
+    y = box["y"] + box["height"] / 2
+    here.page.evaluate("performance.clearMeasures()")
+    here.page.mouse.move(box["x"] + 0.3 * box["width"], y)
+    here.page.mouse.down()
+    for k in range(60):
+        here.page.mouse.move(box["x"] + (0.3 + 0.008 * k) * box["width"], y)
+        here.page.wait_for_timeout(20)
+    here.page.mouse.up()
+    here.settle()
+    times = sorted(here.page.evaluate("n => performance.getEntriesByName(n).map((e) => e.duration)", name))
+    p50, p95 = times[len(times) // 2], times[int(0.95 * (len(times) - 1))]
+    with capsys.disabled():
+        print(f"\n{name}: {len(times)} movements, p50 {p50:.0f} ms, p95 {p95:.0f} ms, max {times[-1]:.0f} ms")
+    assert len(times) > 30 and p95 < generous_ms

@@ -1,0 +1,101 @@
+"""The scores that hold: by running the model anew, and against what is shipped and printed in docs/scoreboard.md."""
+
+import os
+from functools import cache
+
+import pytest
+
+from tests.support.inline_pool import InlinePool
+from vfcore.params import VARIANTS
+from vfcore.version import MODEL_VERSION
+from vocalis_paper import CASES, CLAIMS
+from vocalis_paper.report_ship import PAGE, SCOREBOARD, STUDY, shipped
+from vocalis_paper.report_text import filled, tables
+from vocalis_paper.run import workers
+from vocalis_paper.run_document import score_variant
+from vocalis_paper.run_score import definitions_hash
+from vocalis_paper.study import changes
+
+#: What the variant "paper" has reached; a claim may get better, not worse, without a word here.
+PASSED = {"S1", "S2", "S5", "S6", *(f"M{k}" for k in range(1, 10)), "A2", "A3", "A4", "A5", "A6", "T1"}
+HELD = {"S3", "S4", "A1", "A7", "A8", "P1", "P2", "P4"}
+MANY_RUNS = {key for key, claim in CLAIMS.items() if {CASES[n].kind for n in claim.needs} & {"map", "sweep"}}
+#: Wall time is that of the machine.
+QUICK = {key: CLAIMS[key] for key in CLAIMS if key not in MANY_RUNS and key != "T1"}
+AGAIN = "run `python -m vocalis_paper.report_ship` and read what changed"
+
+
+@cache
+def quick(variant):
+    return score_variant(variant, InlinePool(), QUICK).outcomes
+
+
+def printed(variant):
+    return {key: one["verdict"] for key, one in shipped(SCOREBOARD)["variants"][variant]["outcomes"].items()}
+
+
+@pytest.mark.parametrize("key", [key for key in QUICK if key in PASSED])
+def test_what_passed_passes_still(key):
+    outcome = quick("paper")[key]
+    assert outcome.verdict == "pass", outcome.sentence
+
+
+@pytest.mark.parametrize("key", [key for key in QUICK if key in HELD])
+def test_what_held_with_a_difference_holds_still(key):
+    outcome = quick("paper")[key]
+    assert outcome.verdict != "fail", outcome.sentence
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_the_shipped_verdicts_are_those_of_the_model(variant):
+    shown = printed(variant)
+    assert {key: str(one.verdict) for key, one in quick(variant).items()} == {key: shown[key] for key in QUICK}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_the_shipped_verdicts_on_maps_and_sweeps_are_those_of_the_model(variant):
+    with workers(os.cpu_count() or 1) as pool:
+        scored = score_variant(variant, pool, {key: CLAIMS[key] for key in MANY_RUNS})
+    shown = printed(variant)
+    assert {key: str(one.verdict) for key, one in scored.outcomes.items()} == {key: shown[key] for key in MANY_RUNS}
+
+
+def test_the_shipped_score_is_the_one_we_hold():
+    verdicts = printed("paper")
+    assert list(verdicts) == list(CLAIMS)
+    assert PASSED <= {key for key, verdict in verdicts.items() if verdict == "pass"}
+    assert not HELD & {key for key, verdict in verdicts.items() if verdict == "fail"}
+
+
+@pytest.mark.parametrize("path", [SCOREBOARD, STUDY], ids=lambda path: path.stem)
+def test_shipped_results_are_of_this_model_and_these_definitions(path):
+    made = shipped(path)["provenance"]
+    assert made["model_version"] == MODEL_VERSION, AGAIN
+    assert made["definitions_sha256"] == definitions_hash(), AGAIN
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_every_shipped_run_is_accounted_for(variant):
+    one = shipped(SCOREBOARD)["variants"][variant]
+    assert sum(one["states"]["ct_ta_map"].values()) == len(CASES["ct_ta_map"].requests())
+    lost = [run for run in one["failed_runs"] if run["case"] == "ct_ta_map"]
+    assert len(lost) == one["states"]["ct_ta_map"].get("failed", 0)
+    assert sum(one["score"].values()) == len(CLAIMS)
+
+
+def test_the_page_shows_the_shipped_tables():
+    page = PAGE.read_text(encoding="utf-8")
+    made = tables(shipped(SCOREBOARD), shipped(STUDY))
+    assert all(f"<!-- table: {name} -->" in page for name in made)
+    assert filled(page, made) == page, "run `python -m vocalis_paper.report_ship --text`"
+
+
+def test_no_open_choice_lets_more_claims_hold_than_the_default():
+    """What the page concludes from the study: fewer failures are to be had from no single choice, nor from a pair."""
+    default, *others = shipped(STUDY)["rows"]
+    assert len(others) >= 17
+    for row in others:
+        assert row["score"]["fail"] >= default["score"]["fail"], row["choice"]
+    same = ("window last second of 2 s", "level at 30 cm", "vowel i", "vowel u", "vowel AE")
+    assert not any(changes(row, default) for row in others if row["choice"] in same)

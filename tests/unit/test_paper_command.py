@@ -1,0 +1,38 @@
+"""`vocalis paper` from the outside."""
+
+import json
+
+import pytest
+
+from vocalis_cli import paper
+from vocalis_cli.main import main
+from vocalis_paper import CLAIMS
+
+REFUSED = [
+    ("--variant mine", "--variant", "paper | text_literal | both"),
+    ("--only X9", "X9 is no claim", "S1, S2"),
+    ("--only ,", "names no claim", "S1, S2"),
+    ("--html /no/such/folder/r.html", "--html", "existing folder"),
+    ("--study --only S1", "--only", "--study"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "named", "allowed"), REFUSED, ids=[row[0] for row in REFUSED])
+def test_what_cannot_be_used_ends_with_one_line_before_any_run(arguments, named, allowed, capsys, monkeypatch):
+    monkeypatch.setattr(paper, "score_variant", lambda *_: pytest.fail("a run was begun"))
+    assert main(["paper", *arguments.split()]) == 2
+    line = capsys.readouterr().err
+    assert named in line and allowed in line and line.count("\n") == 1
+
+
+def test_chosen_claims_are_judged_on_the_chosen_variant_and_written(tmp_path, capsys):
+    html, written = tmp_path / "r.html", tmp_path / "r.json"
+    assert main(["paper", "--variant", "paper", "--only", "s5,S1", "--workers", "1",
+                 "--html", str(html), "--json", str(written)]) == 0  # fmt: skip
+    document = json.loads(written.read_text())
+    assert [claim["key"] for claim in document["claims"]] == ["S1", "S5"]
+    assert list(document["variants"]) == ["paper"]
+    table = capsys.readouterr().out
+    assert CLAIMS["S5"].title in table and CLAIMS["M1"].title not in table
+    assert "2 pass, 0 deviation, 0 fail; 0 runs without an answer" in table
+    assert html.read_text().count("<svg") == 2
