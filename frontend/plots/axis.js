@@ -40,7 +40,7 @@ export function steadyLimits(before, data, { symmetric = false, least = 0 } = {}
   let low = Math.max(0, -data.min);
   let high = Math.max(0, data.max, least);
   if (symmetric) low = high = Math.max(low, high, least);
-  const keep = (old, wanted) => old !== undefined && wanted <= old && wanted >= 0.5 * old;
+  const keep = (old, wanted) => Number.isFinite(old) && wanted <= old && wanted >= 0.5 * old;
   const bottom = keep(before && -before[0], low) ? -before[0] : niceCeil(low);
   const top = keep(before?.[1], high) ? before[1] : niceCeil(high);
   return [bottom === 0 ? 0 : -bottom, top || 1];

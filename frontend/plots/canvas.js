@@ -19,7 +19,7 @@ export function prepare(canvas, width, height, ground = null) {
     context.clearRect(0, 0, width, height);
   } else {
     context.fillStyle = ground;
-    context.fillRect(0, 0, width, height);
+    context.fillRect(0, 0, width + 1, height + 1); // the last row may be a fraction of a pixel
   }
   return context;
 }
@@ -35,7 +35,10 @@ export class Layer {
       paint(prepare(this.#canvas, box.width, box.height), box, model);
       this.#made = { model, width: box.width, height: box.height };
     }
-    context.drawImage(this.#canvas, 0, 0, box.width, box.height);
+    context.save();
+    context.resetTransform();
+    context.drawImage(this.#canvas, 0, 0);
+    context.restore();
   }
 }
 

@@ -14,7 +14,7 @@ export function PhonationState() {
   return html`
     <div class="phonation" data-state=${state}>
       <p class="phonation-state"><i class="state-mark" aria-hidden="true"></i>${shown ? STATES[state] : APP.waiting}</p>
-      <p class="phonation-why" title=${hint}>${lineOf(shown)}${hint && html` <strong>${hint}</strong>`}</p>
+      <p class="phonation-why" title=${hint}>${hint && html`<strong>${hint}</strong> `}${lineOf(shown)}</p>
     </div>
   `;
 }

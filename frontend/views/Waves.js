@@ -34,7 +34,7 @@ export function Waves() {
       </div>
       <div class="wave-foot">
         <span>${result.value?.cycle.complete === false ? WAVES.timeFree : WAVES.time}</span>
-        <button type="button" class="quiet" title=${WAVES.zoomHelp} onClick=${() => openDialog("detail")}><${Icon} name="zoom" /><span>${WAVES.zoom}</span></button>
+        <button type="button" class="quiet" aria-label=${WAVES.zoom} title=${WAVES.zoomHelp} onClick=${() => openDialog("detail")}><${Icon} name="zoom" /><span>${WAVES.zoom}</span></button>
       </div>
     </div>
   `;

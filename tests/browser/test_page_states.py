@@ -4,9 +4,7 @@ import re
 
 from tests.browser.conftest import server_process
 
-SILENT = (
-    "?activation.lca=0.2&activation.ia=0.2&activation.pca=1&activation.ct=0.1&activation.ta=0&subglottal_pressure_pa=300"
-)
+SILENT = "?activation.lca=0.2&activation.ia=0.2&activation.pca=1&subglottal_pressure_pa=300"
 
 
 def test_no_phonation_says_why_and_what_would_help(visit):

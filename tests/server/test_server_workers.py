@@ -7,7 +7,7 @@ import pytest
 
 from tests.server.live_server import LONG, SHORT, finish, run, serving, wait_until
 
-MEDIUM = {"run": {"duration_s": 5, "time_step_s": 1.7857142857142857e-6}}  # some seconds of work
+MEDIUM = {"run": {"duration_s": 2, "time_step_s": 1.7857142857142857e-6}}  # some seconds of work where cores are shared
 
 
 @pytest.fixture(scope="module")

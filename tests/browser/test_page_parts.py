@@ -1,0 +1,204 @@
+"""The pure parts of the page, run where they live: in the browser."""
+
+import struct
+from json import dumps
+
+import numpy as np
+import pytest
+
+AXIS = "const axis = await import('/plots/axis.js');"
+
+
+def test_ticks_are_round_and_inside(modules):
+    run = "async ([low, high, most]) => { " + AXIS + " return axis.ticks(low, high, most); }"
+    assert modules(run, [0, 95, 4]) == [0, 25, 50, 75]
+    assert modules(run, [-420, 3447, 4]) == [0, 1000, 2000, 3000]
+    assert modules(run, [-0.3, 0.3, 4]) == pytest.approx([-0.2, 0, 0.2])
+
+
+def test_an_axis_stands_still_while_the_data_fill_half_of_it(modules):
+    run = "async ([before, data, options]) => { " + AXIS + " return axis.steadyLimits(before, data, options); }"
+    first = modules(run, [None, {"min": 0, "max": 95}, {}])
+    assert first == [0, 100]
+    assert modules(run, [first, {"min": 0, "max": 60}, {}]) == first
+    assert modules(run, [first, {"min": 0, "max": 130}, {}]) == [0, 150], "it grows at once"
+    assert modules(run, [first, {"min": 0, "max": 30}, {}]) == [0, 30], "and shrinks when it is mostly empty"
+    assert modules(run, [None, {"min": -480, "max": 460}, {"symmetric": True}]) == [-500, 500]
+    assert modules(run, [None, {"min": -1e-9, "max": 1e-9}, {"symmetric": True, "least": 50}]) == [-50, 50]
+
+
+def test_numbers_are_written_as_people_write_them(modules):
+    run = "async ([value, decimals]) => { " + AXIS + " return axis.numberText(value, decimals); }"
+    assert modules(run, [1291.7, 0]) == "1\u202f292"
+    assert modules(run, [-0.0041, 3]) == "−0.004"
+    assert modules(run, [-0.0001, 2]) == "0.00", "no minus before nothing"
+
+
+def test_a_request_holds_only_what_differs(modules):
+    run = """async ([document, values]) => {
+      const params = await import("/params.js");
+      const schema = params.readSchema(document);
+      const all = { ...params.defaultValues(schema), ...values };
+      return {
+        run: params.simulationRequest(schema, all, { duration_s: 0.5 }),
+        posture: params.postureRequest(schema, all),
+        preset: params.presetOf(schema, all)?.key ?? null,
+        breathy: params.presetValues(schema, schema.presets[1], all),
+      };
+    }"""
+
+    def row(key, default, group="muscles", step=0.01):
+        return {
+            "key": key, "label": key, "symbol": "", "default": default, "step": step, "group": group, "nullable": False,
+        }  # fmt: skip
+
+    document = {
+        "parameters": [
+            row("activation.ta", 0.4),
+            row("activation.pca", 0),
+            row("vowel", "a", "tract", None),
+            row("posture.strain", 0.1, "posture"),
+            row("run.nx", 20, "run", 1),
+        ],
+        "presets": [
+            {"key": "modal", "request": {"activation": {"ta": 0.4, "pca": 0}}},
+            {"key": "breathy", "request": {"activation": {"pca": 0.5}}},
+        ],
+        "vowels": [],
+        "variants": [],
+    }
+    answer = modules(run, [document, {"activation.ta": 0.7, "run.nx": 30, "vowel": "i"}])
+    assert answer["run"] == {
+        "kind": "simulation", "activation": {"ta": 0.7}, "vowel": "i", "run": {"nx": 30, "duration_s": 0.5},
+    }  # fmt: skip
+    assert "run" not in answer["posture"] and answer["posture"]["activation"] == {"ta": 0.7}
+    assert answer["preset"] is None
+    assert answer["breathy"]["activation.pca"] == 0.5 and answer["breathy"]["activation.ta"] == 0.4
+    assert answer["breathy"]["vowel"] == "i", "a preset leaves the vowel and the run alone"
+    assert modules(run, [document, {"vowel": "i"}])["preset"] == "modal"
+
+
+def test_a_lane_has_one_request_in_flight_and_the_newest_wins(modules):
+    run = """async () => {
+      const { Lane } = await import("/lane.js");
+      const pending = [], log = [];
+      let flying = 0, most = 0;
+      const lane = new Lane(
+        (job) => {
+          most = Math.max(most, ++flying);
+          return new Promise((done, failed) => pending.push({ job, done, failed }));
+        },
+        (answer) => { flying--; log.push(answer); },
+        (error) => { flying--; log.push(error); },
+      );
+      const tick = () => new Promise((done) => setTimeout(done));
+      for (const job of [1, 2, 3, 4]) lane.push(job);
+      pending[0].done("one"); await tick();
+      lane.push(5); lane.push(6);
+      pending[1].failed("four failed"); await tick();
+      pending[2].done("six"); await tick();
+      return { asked: pending.map(({ job }) => job), log, most, busy: lane.busy };
+    }"""
+    assert modules(run) == {"asked": [1, 4, 6], "log": ["one", "four failed", "six"], "most": 1, "busy": False}
+
+
+def test_a_reply_in_octets_is_read_as_it_was_written(modules):
+    values = {"flow": np.arange(6, dtype="<f4").reshape(2, 3), "area": np.array([0.5, -1], dtype="<f4")}
+    table, offset = {}, 0
+    for name, array in values.items():
+        table[name] = {"offset": offset, "shape": list(array.shape), "unit": "m"}
+        offset += array.nbytes
+    header = dumps({"id": "ü", "arrays": table}).encode()
+    header += b" " * (-len(header) % 4)
+    octets = struct.pack("<I", len(header)) + header + b"".join(array.tobytes() for array in values.values())
+    run = """async (octets) => {
+      const { decodeResult } = await import("/octets.js");
+      const { header, arrays } = decodeResult(new Uint8Array(octets).buffer);
+      return [header.id, arrays.flow.shape, Array.from(arrays.flow.data), Array.from(arrays.area.data)];
+    }"""
+    assert modules(run, list(octets)) == ["ü", [2, 3], [0, 1, 2, 3, 4, 5], [0.5, -1]]
+
+
+def test_the_outline_is_the_distance_from_the_midline_and_its_area_the_glottis(modules):
+    """A wedge of 16 mm by 4 mm half width, pressed 1 mm over the midline at the inferior edge of one slice."""
+    run = """async ([x, medial, w]) => {
+      const glottis = await import("/plots/glottis.js");
+      const fields = { nx: x.length, ny: 2, x, medial };
+      const edges = glottis.foldEdges(fields, w);
+      return { ...edges, area: glottis.areaMm2(edges) };
+    }"""
+    x = np.linspace(0, 16e-3, 5)
+    medial = np.repeat(x / 4, 2)
+    w = np.zeros(10)
+    w[5] = medial[5] + 1e-3  # third slice, inferior
+    answer = modules(run, [x.tolist(), medial.tolist(), w.tolist()])
+    assert answer["u"] == pytest.approx([-16, -12, -8, -4, 0])
+    assert answer["superior"] == pytest.approx([0, 1, 2, 3, 4])
+    assert answer["inferior"] == pytest.approx([0, 1, -1, 3, 4])
+    assert answer["inner"] == answer["inferior"]
+    gaps = 2 * np.array([0, 1, 0, 3, 4])
+    assert answer["area"] == pytest.approx(np.trapezoid(gaps, 1e3 * x))
+
+
+def test_the_flow_derivative_is_the_one_of_mfdr(modules):
+    """A sine through the same Gaussian: slope ω, less what a low-pass with −3 dB at 3 kHz takes from it."""
+    run = """async ([wave, rate]) => {
+      const { slope } = await import("/plots/waves.js");
+      return Array.from(slope(new Float32Array(wave), 500, 1500, rate));
+    }"""
+    rate = 35000
+    t = np.arange(2000) / rate
+    for hertz in (150, 3000):
+        found = modules(run, [np.sin(2 * np.pi * hertz * t).tolist(), rate])
+        kept = 2 ** (-0.5 * (hertz / 3000) ** 2)
+        expected = 2 * np.pi * hertz * kept * np.cos(2 * np.pi * hertz * t[500:1501])
+        assert np.abs(found - expected).max() < 0.01 * 2 * np.pi * hertz
+
+
+@pytest.mark.parametrize("theme, grows", [("light", -1), ("dark", 1)])
+def test_colour_maps_run_evenly_in_lightness(modules, theme, grows):
+    run = "async ([name, theme]) => Array.from((await import('/plots/colours.js')).colourTable(name, theme))"
+
+    def luminance(name):
+        rgb = np.array(modules(run, [name, theme])).reshape(256, 3) / 255
+        return np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4) @ [0.2126, 0.7152, 0.0722]
+
+    assert (grows * np.diff(luminance("sequential")) > -2e-3).all(), "no turning point that could be taken for a value"
+    half = luminance("diverging")
+    assert (grows * np.diff(half[128:]) > -2e-3).all() and (grows * np.diff(half[:128]) < 2e-3).all()
+    assert abs(half[30] - half[225]) < 0.1, "both signs weigh the same"
+
+
+def test_advice_fits_the_cause(modules):
+    run = "async ([values, gap]) => (await import('/texts.js')).hintFor(values, gap)"
+
+    def advice(gap_mm, pressure=1000, **activation):
+        muscles = {f"activation.{name}": 0.0 for name in ("ta", "ct", "lca", "ia", "pca")}
+        muscles |= {f"activation.{name}": value for name, value in activation.items()}
+        return modules(run, [muscles | {"subglottal_pressure_pa": pressure}, gap_mm])
+
+    assert advice(9.9, pca=1, lca=0.8, ia=0.8) == "The vocal processes stand 9.9 mm apart. Try less PCA."
+    assert "more LCA and IA" in advice(5, lca=0.2, ia=0.9)
+    assert advice(0, pressure=200, lca=1, ia=1) == "Try more lung pressure."
+    assert "TA" in advice(0, ta=0.9, lca=1, ia=1)
+
+
+def test_the_address_gives_back_what_was_put_in(modules):
+    run = """async () => {
+      const { readSchema, defaultValues } = await import("/params.js");
+      const { readQuery, writeQuery } = await import("/url.js");
+      const common = { label: "", symbol: "", step: 0.01, group: "" };
+      const schema = readSchema({
+        parameters: [
+          { ...common, key: "activation.ta", default: 0.4 },
+          { ...common, key: "vowel", default: "a", options: ["a", "i"] },
+          { ...common, key: "x", default: 1 },
+        ],
+      });
+      const query = writeQuery(schema, { ...defaultValues(schema), "activation.ta": 0.55, vowel: "i" });
+      return [query, readQuery(schema, query), readQuery(schema, "tongue=1").unknown];
+    }"""
+    query, answer, unknown = modules(run)
+    assert query == "activation.ta=0.55&vowel=i"
+    assert answer == {"changes": {"activation.ta": 0.55, "vowel": "i"}, "unknown": []}
+    assert unknown == ["tongue"]
