@@ -5,6 +5,8 @@ import { LIVE_ARRAYS, makeResult } from "./result.js";
 import { duration, isActive, job, takeJob, takeJobProblem } from "./state/job.js";
 import { takeResult } from "./state/outcome.js";
 import { schema, values } from "./state/request.js";
+import { showNotice } from "./state/session.js";
+import { RUN } from "./texts.js";
 
 const SHOWN_S = 0.5;
 const WAVES = LIVE_ARRAYS.filter((name) => /^(radiated|glottal|contact)/.test(name));
@@ -37,6 +39,7 @@ export async function showRun() {
       LIVE_ARRAYS.map(async (name) => [name, await getArray(id, name, WAVES.includes(name) ? { start } : {})]),
     );
     takeResult(makeResult({ header: { ...header, id }, arrays: Object.fromEntries(parts) }, start / rate));
+    showNotice(RUN.shown(samples / rate));
   });
 }
 

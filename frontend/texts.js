@@ -181,6 +181,7 @@ export const RUN = {
   start: "Run",
   cancel: "Cancel",
   show: "Show here",
+  shown: (s) => `Shown: the end of the run of ${s.toFixed(1)} s. The next change goes back to live.`,
   files: "Files",
   wav: "Sound (WAV)",
   netcdf: "All arrays (netCDF)",
@@ -224,7 +225,7 @@ export const HELP = {
   ],
 };
 
-export const DETAIL = { title: "The whole run", time: "time (s)", loading: "Loading the plot", failed: "The plot could not be loaded." };
+export const DETAIL = { title: "The whole run", titleOfEnd: "The last half second of the run", time: "time (s)", loading: "Loading the plot", failed: "The plot could not be loaded." };
 
 /** What would help when nothing vibrates, from the values set and the gap between the vocal processes, mm. */
 export function hintFor(values, gapMm) {

@@ -19,8 +19,6 @@ from os import PathLike
 from pathlib import Path
 
 import numpy as np
-from scipy.ndimage import map_coordinates
-from scipy.signal import firwin, kaiserord, resample_poly
 
 from vfcore.errors import ParameterError
 from vfcore.fields import check_number
@@ -59,6 +57,8 @@ def render(pressure_pa: np.ndarray, sample_rate_hz: float, rate_hz: float = AUDI
     dense = _band_limited(pressure, up, down, min(1.0, rate_hz / sample_rate_hz))
     count = math.ceil(pressure.size * rate_hz / sample_rate_hz)
     instants = np.arange(count) * (sample_rate_hz * up / down / rate_hz)
+    from scipy.ndimage import map_coordinates
+
     return map_coordinates(dense, instants[np.newaxis, :], order=3, mode="nearest")
 
 
@@ -105,12 +105,16 @@ def fade(count: int) -> np.ndarray:
 
 def _band_limited(waveform: np.ndarray, up: int, down: int, band: float) -> np.ndarray:
     """Polyphase resampling by up/down, keeping ``band`` (0 to 1) of the input's own band."""
+    from scipy.signal import resample_poly  # half a second to import: not before there is sound to make
+
     return resample_poly(waveform, up, down, window=_low_pass(up, band))
 
 
 @lru_cache(maxsize=16)
 def _low_pass(up: int, band: float) -> np.ndarray:
     """Linear-phase Kaiser low-pass at ``up`` times the input rate, stop band from half of ``band``'s rate."""
+    from scipy.signal import firwin, kaiserord
+
     lower_rate = band / up  # in units of the rate the filter runs at
     count, beta = kaiserord(STOP_BAND_DB, 2 * (STOP_BAND - PASS_BAND) * lower_rate)
     return firwin(2 * (count // 2) + 1, (STOP_BAND + PASS_BAND) * lower_rate, window=("kaiser", beta))

@@ -60,7 +60,7 @@ export function areaMm2(edges) {
 }
 
 const EXTENT = {
-  anatomy: { front: -23.4, back: 10.2, side: 10.4 },
+  anatomy: { front: -23.4, back: 10.2, side: 11.2 },
   folds: { front: -21, back: 3.2, side: 8.2 },
 };
 

@@ -30,7 +30,7 @@ export function Detail() {
       plotly?.purge(place.current);
     };
   }, []);
-  return html`<${Dialog} title=${DETAIL.title} wide=${true}><p role="status">${note}</p><div class="plotly-place" ref=${place}></div><//>`;
+  return html`<${Dialog} title=${result.peek().startS > 0 ? DETAIL.titleOfEnd : DETAIL.title} wide=${true}><p role="status">${note}</p><div class="plotly-place" ref=${place}></div><//>`;
 }
 
 function figureOf(shown, colours) {

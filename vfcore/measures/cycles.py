@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.signal import find_peaks
 
 from vfcore.measures.phonation import Phonation
 from vfcore.measures.pitch import parabola_vertex
@@ -150,6 +149,8 @@ def _middle_of_longest_run(flags: np.ndarray) -> float:
 def _followed_marks(area: np.ndarray, phonation: Phonation) -> np.ndarray:
     """Minima of the slow part of the area, away from the ends of the window, where the filter sees too little."""
     slow = phonation.correlation.slow_part(1.0 / phonation.cycle)
+    from scipy.signal import find_peaks  # half a second to import, and needed by irregular voices only
+
     minima, _ = find_peaks(-slow, distance=max(int(0.6 * phonation.cycle), 1))
     margin = phonation.cycle / 2
     minima = minima[(minima > margin) & (minima < len(area) - 1 - margin)]

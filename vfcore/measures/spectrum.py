@@ -11,7 +11,6 @@ from math import hypot, log10
 
 import numpy as np
 from scipy import fft
-from scipy.signal.windows import hamming, hann
 
 from vfcore.measures.measure import Missing
 
@@ -49,7 +48,7 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     if len(wave) < length:
         return Missing(f"The measured half of the run is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
     frames = np.lib.stride_tricks.sliding_window_view(wave, length)[::hop]
-    spectrum = fft.rfft((frames - frames.mean(axis=1, keepdims=True)) * hamming(length), axis=1)
+    spectrum = fft.rfft((frames - frames.mean(axis=1, keepdims=True)) * np.hamming(length), axis=1)
     lines = min(int(CPP_BAND_HZ * length / sample_rate_hz) + 1, spectrum.shape[1])
     power = spectrum.real[:, :lines] ** 2 + spectrum.imag[:, :lines] ** 2
     strongest = power.max(axis=1, keepdims=True)
@@ -63,7 +62,7 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
 
 @lru_cache(maxsize=4)
 def _hann(n: int) -> np.ndarray:
-    window = hann(n)
+    window = np.hanning(n)
     window.setflags(write=False)
     return window
 
