@@ -38,10 +38,12 @@ def test_typing_a_value_types_and_does_not_choose_a_muscle(visit):
 def test_help_opens_closes_and_gives_the_focus_back(visit):
     here = visit()
     here.page.keyboard.press("1")
+    here.page.wait_for_selector("#control-activation-ta:focus")
     here.page.keyboard.press("?")
     assert "choose a muscle" in here.page.get_by_role("dialog").inner_text()
     here.page.keyboard.press("Escape")
     here.page.wait_for_selector("dialog", state="detached")
+    here.page.wait_for_selector("#control-activation-ta:focus")
     assert here.page.evaluate(FOCUSED) == "control-activation-ta"
 
 
