@@ -12,6 +12,7 @@ import { connection, setConnection } from "./state/session.js";
 
 export const LIVE_S = 0.5;
 const RETRY_MS = 1500;
+const VOICE_REST_MS = 30; // between voices, so that shapes follow the hand more closely than the voice
 
 /** Starts following the request; returns the end of it. */
 export function followRequest() {
@@ -42,6 +43,7 @@ export function followRequest() {
       afterPaint(() => recordShown("slider to all", job.version));
     },
     failed("voice"),
+    VOICE_REST_MS,
   );
   const push = (job) => {
     postures.push(job);

@@ -156,7 +156,6 @@ export const MEASURE = {
   signal: "Read from",
   normal: "Expected",
   source: "Source",
-  none: "No value",
   noRange: "No published range for this measure.",
   cycles: (n) => (n ? `Mean over ${n} cycles of the last half of the run.` : "From the last half of the run."),
   caution: "This model’s absolute flow and level lie well above a human’s; read trends and shapes.",
@@ -170,7 +169,6 @@ export const SOUND = {
   volume: "Volume",
   loop: "Repeat",
   loopHelp: "Repeat whole cycles without end; off: the run once, from its onset",
-  save: "WAV",
   saveHelp: "Download the sound of this run, 48 kHz",
 };
 

@@ -49,16 +49,6 @@ export function contactAlong({ nx, ny }, contact) {
   });
 }
 
-/** Glottal area from above, mm²: trapezoids of the full gap. */
-export function areaMm2(edges) {
-  let area = 0;
-  for (let i = 1; i < edges.u.length; i++) {
-    const gap = Math.max(edges.inner[i], 0) + Math.max(edges.inner[i - 1], 0);
-    area += gap * (edges.u[i] - edges.u[i - 1]);
-  }
-  return area;
-}
-
 const EXTENT = {
   anatomy: { front: -23.4, back: 10.2, side: 11.2 },
   folds: { front: -21, back: 3.2, side: 8.2 },

@@ -1,6 +1,6 @@
 /** What is asked of the model: the schema, every value, and what the last hand movement started from. */
 import { batch, computed, signal } from "../ui.js";
-import { capital, defaultValues, flatten, presetOf, presetValues } from "../params.js";
+import { capital, defaultValues, presetOf, presetValues } from "../params.js";
 import { readonly } from "./readonly.js";
 
 const GESTURE_PAUSE_MS = 1500;
@@ -48,12 +48,6 @@ export function resetValue(path) {
 export function choosePreset(key) {
   const chosen = _schema.value.presets.find((row) => row.key === key);
   change(presetValues(_schema.value, chosen, _values.value), `preset ${key}`);
-}
-
-/** Take the values of a request document, as a job or a link holds it. */
-export function takeRequest(request) {
-  const known = Object.entries(flatten(request)).filter(([path]) => _schema.value.parameters.has(path));
-  change({ ...defaultValues(_schema.value), ...Object.fromEntries(known) }, "request");
 }
 
 export function setTied(on) {

@@ -51,7 +51,8 @@ def main() -> None:
 
 def fetch(package: Package) -> None:
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run(["npm", "pack", "--silent", f"{package.name}@{package.version}"], cwd=folder, check=True)
+        wanted = f"{package.name}@{package.version}"
+        subprocess.run(["npm", "pack", "--silent", wanted], cwd=folder, check=True, stdout=subprocess.DEVNULL)
         with tarfile.open(next(Path(folder).glob("*.tgz"))) as archive:
             for inside, name in package.files.items():
                 source = archive.extractfile(f"package/{inside}").read().decode("utf-8")

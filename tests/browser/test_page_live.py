@@ -2,8 +2,6 @@
 
 import re
 
-import pytest
-
 PICTURES = ("stage", "waves", "shapes", "map-aero", "map-contact")
 
 
@@ -93,22 +91,22 @@ def test_reduced_motion_is_honoured(visit):
     assert here.picture("stage") == first
 
 
-@pytest.mark.parametrize("name, generous_ms", [("slider to shape", 500), ("slider to all", 800)])
-def test_how_long_a_movement_takes(visit, name, generous_ms, capsys):
-    """Prints what the page measures of itself; the bound only says that nothing piles up on a busy machine."""
+def test_how_long_a_movement_takes(visit, capsys):
+    """Prints what the page measures of itself; the bounds only say that nothing piles up on a busy machine."""
     here = visit()
     box = here.slider("activation.ct").bounding_box()
     y = box["y"] + box["height"] / 2
     here.page.evaluate("performance.clearMeasures()")
-    here.page.mouse.move(box["x"] + 0.3 * box["width"], y)
+    here.page.mouse.move(box["x"] + 0.78 * box["width"], y)
     here.page.mouse.down()
-    for k in range(60):
-        here.page.mouse.move(box["x"] + (0.3 + 0.008 * k) * box["width"], y)
+    for k in range(200):
+        here.page.mouse.move(box["x"] + (0.3 + 0.012 * abs(k % 80 - 40)) * box["width"], y)
         here.page.wait_for_timeout(20)
     here.page.mouse.up()
     here.settle()
-    times = sorted(here.page.evaluate("n => performance.getEntriesByName(n).map((e) => e.duration)", name))
-    p50, p95 = times[len(times) // 2], times[int(0.95 * (len(times) - 1))]
-    with capsys.disabled():
-        print(f"\n{name}: {len(times)} movements, p50 {p50:.0f} ms, p95 {p95:.0f} ms, max {times[-1]:.0f} ms")
-    assert len(times) > 30 and p95 < generous_ms
+    for name, generous_ms in (("slider to shape", 500), ("slider to all", 800)):
+        times = sorted(here.page.evaluate("n => performance.getEntriesByName(n).map((e) => e.duration)", name))
+        p50, p95 = times[len(times) // 2], times[int(0.95 * (len(times) - 1))]
+        with capsys.disabled():
+            print(f"\n{name}: {len(times)} movements, p50 {p50:.0f} ms, p95 {p95:.0f} ms, max {times[-1]:.0f} ms")
+        assert len(times) > 150 and p95 < generous_ms

@@ -2,6 +2,21 @@
 
 import re
 
+import numpy as np
+
+#: What the stage would draw at some stored phases, and the area of the wave at that sample and the ones beside it.
+OUTLINES = """async () => {
+  const { result } = await import("/state/outcome.js");
+  const { foldEdges } = await import("/plots/glottis.js");
+  const { fieldAt } = await import("/result.js");
+  const { fields, cycle, waves, rate } = result.value;
+  return [10, 30, 45, 60, 90].map((k) => {
+    const instant = cycle.startS + (k / fields.phases) * cycle.periodS;
+    const sample = Math.round(instant * rate);
+    const around = Array.from(waves.area.slice(sample - 1, sample + 2));
+    return [foldEdges(fields, fieldAt(fields, "w", k / fields.phases)), around];
+  });
+}"""
 PICTURES = {"stage": 0.2, "waves": 0.01, "shapes": 0.003, "map-aero": 0.1, "map-contact": 0.02}
 
 
@@ -15,6 +30,15 @@ def test_every_picture_has_data(visit):
     assert {name: here.ink(name) for name, least in PICTURES.items() if here.ink(name) < least} == {}
     marks = here.page.locator(".map-bar").all_inner_texts()
     assert len(marks) == 2 and all(len(text.split()) >= 3 for text in marks), "both colour bars have numbers"
+
+
+def test_the_opening_on_the_stage_has_the_area_of_the_wave(visit):
+    here = visit()
+    outlines = here.page.evaluate(OUTLINES)
+    for edges, around_m2 in outlines:
+        area_mm2 = np.trapezoid(2 * np.maximum(edges["inner"], 0), edges["u"])
+        assert 1e6 * min(around_m2) - 0.01 < area_mm2 < 1e6 * max(around_m2) + 0.01
+    assert max(max(around) for _, around in outlines) > 50e-6, "the glottis was open"
 
 
 def test_every_measure_is_the_one_of_the_api(visit):
