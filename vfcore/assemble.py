@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from vfcore.constants import FoldConstants
-from vfcore.kernels.layout import FIRST, SCALARS, Layout
+from vfcore.kernels.layout import FIRST, FIXED_FIELDS, FIXED_LINES, SCALARS, Layout
 from vfcore.params import Simulation
 from vfcore.tissue.beam import beam_operator
 from vfcore.tissue.coefficients import Coefficients
@@ -140,3 +140,15 @@ def membrane(buffer: np.ndarray, fold: Fold, name: str = "w") -> np.ndarray:
 def beam(buffer: np.ndarray, fold: Fold, name: str = "w_b") -> np.ndarray:
     """A view (nx,) of a line of the buffer, ends included."""
     return _line(buffer, Layout(fold.nx, fold.ny), name)[FIRST : FIRST + fold.nx]
+
+
+def fixed_index(fold: Fold) -> np.ndarray:
+    """Where in a buffer the numbers stand that geometry and tissue fix; everything else is state or scratch."""
+    layout = Layout(fold.nx, fold.ny)
+    marked = np.zeros(layout.size)
+    for name in FIXED_FIELDS:
+        _field(marked, layout, name)[:] = 1.0
+    for name in FIXED_LINES:
+        _line(marked, layout, name)[:] = 1.0
+    marked[layout.beam_inverse :] = 1.0
+    return np.flatnonzero(marked)

@@ -101,15 +101,7 @@ class March:
             w = np.abs(assemble.membrane(buffer, self.fold))
             bad = ~(w < LARGEST_DISPLACEMENT_M)
             if bad.any():
-                j, i = np.argwhere(bad)[0]
-                raise DivergenceError(
-                    (step + 1) * self.time_step_s,
-                    i / (self.fold.nx - 1),
-                    j / (self.fold.ny - 1),
-                    f"the displacement passed {LARGEST_DISPLACEMENT_M * 1e3:g} mm",
-                    "Try a lower pressure or the constants' default values; if the same happens at a step below "
-                    f"{self.time_step_s:.3g} s, the step is not to blame.",
-                )
+                raise divergence(w, (step + 1) * self.time_step_s, self.time_step_s)
 
     def cycle(self, first_sample: int, last_sample: int, phases: int) -> dict[str, np.ndarray]:
         """Fields at ``phases`` evenly spaced times in [first_sample, last_sample), read back from a checkpoint.
@@ -157,3 +149,17 @@ class March:
 def contact_location(record: np.ndarray, nx: int) -> np.ndarray:
     """x/L of the largest contact pressure at each sample; NaN without contact."""
     return record[:, RECORD.index("contact_column")] / (nx - 1)
+
+
+def divergence(w: np.ndarray, time_s: float, time_step_s: float) -> DivergenceError:
+    """The error for a membrane (ny, nx) that has left all bounds at a time; it names the first such node."""
+    ny, nx = w.shape
+    j, i = np.argwhere(~(np.abs(w) < LARGEST_DISPLACEMENT_M))[0]
+    return DivergenceError(
+        time_s,
+        i / (nx - 1),
+        j / (ny - 1),
+        f"the displacement passed {LARGEST_DISPLACEMENT_M * 1e3:g} mm",
+        "Try a lower pressure or the constants' default values; if the same happens at a step below "
+        f"{time_step_s:.3g} s, the step is not to blame.",
+    )

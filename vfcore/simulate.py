@@ -21,7 +21,7 @@ from vfcore.posture.solution import PostureSolution
 from vfcore.result import Provenance, SimulationResult
 from vfcore.stability import time_step_s
 from vfcore.statics import StaticShape, static_shape_of
-from vfcore.tissue.coefficients import coefficients
+from vfcore.tissue.coefficients import Coefficients, coefficients
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 PHASES = 100  # of the stored cycle
@@ -56,10 +56,15 @@ def prepare(request: Simulation) -> Prepared:
     Raises PostureError, ParameterError or StaticShapeError.
     """
     posture = posture_of(request)
+    fold = folded(request, posture)
+    return Prepared(posture, fold, static_shape_of(fold))
+
+
+def folded(request: Simulation, posture: PostureSolution) -> Fold:
+    """The prestrained fold of a request in a posture; ParameterError where it has no stiffness left."""
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
     c = coefficients(posture.strain, request.activation.ta, request.constants)
-    fold = assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
-    return Prepared(posture, fold, static_shape_of(fold))
+    return assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
 
 
 def static_shape(request: Simulation) -> StaticShape:
@@ -89,7 +94,7 @@ def simulate(
     kernel_seconds = time.perf_counter() - began
 
     arrays = _waveforms(request, record, sample_s, fold.nx)
-    report = measure_all(_signals(request, ready, arrays, sample_s))
+    report = measure_all(signals_of(request, ready.posture, fold.coefficients, arrays, sample_s))
     first, last, complete = _cycle_bounds(report, march, samples, sample_s)
     arrays |= {
         "x_m": fold.x_m,
@@ -128,8 +133,10 @@ def _waveforms(request: Simulation, record: np.ndarray, sample_s: float, nx: int
     }
 
 
-def _signals(request: Simulation, ready: Prepared, arrays: dict[str, np.ndarray], sample_s: float) -> Signals:
-    c, posture = ready.fold.coefficients, ready.posture
+def signals_of(
+    request: Simulation, posture: PostureSolution, c: Coefficients, arrays: dict[str, np.ndarray], sample_s: float
+) -> Signals:
+    """What is measured of a run: its waveforms, and the posture and coefficients they belong to."""
     return Signals(
         sample_rate_hz=1.0 / sample_s,
         time_s=arrays["time_s"],

@@ -71,6 +71,7 @@ FIELDS = (
     "force",
     "flux",
 )
+FIXED_FIELDS = ("G", "K_coup")
 STATE_FIELDS = ("w", "v", "dv", "phi", "vphi", "dvphi")
 LINES = (
     "w_b",
@@ -83,6 +84,7 @@ LINES = (
     "width",
     "slice_contact",
 )
+FIXED_LINES = ("beam_load", "inverse_density", "width")
 
 # Scalars of the step, in this order in the parameter array.
 SCALARS = (
