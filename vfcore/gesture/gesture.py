@@ -1,7 +1,8 @@
 """A gesture: a simulation in which some numbers are breakpoints over time.
 
 In a request document a list of ``[time in s, value]`` pairs may stand wherever a number does, but for the numbers of
-the run itself (duration, grid, step), which the march fixes before it starts.
+the run itself (duration, grid, step), which the march fixes before it starts. The vowel may be a list of
+``[time in s, vowel]``: it changes at those times.
 """
 
 from collections.abc import Mapping
@@ -11,7 +12,7 @@ from typing import Any
 
 from vfcore.errors import ParameterError
 from vfcore.gesture.track import Track, track_from_pairs
-from vfcore.params import Simulation
+from vfcore.params import VOWELS, Simulation
 from vfcore.request import FOLD_NAMES, numeric_paths, simulation_from_dict, simulation_to_dict
 
 MOVABLE = tuple(path for path in numeric_paths() if not path.startswith("run."))
@@ -19,13 +20,15 @@ MOVABLE = tuple(path for path in numeric_paths() if not path.startswith("run."))
 
 @dataclass(frozen=True, slots=True)
 class Gesture:
-    """``start``: the simulation at time 0, whose run sets duration and grid; ``tracks``: the numbers that move.
+    """``start``: the simulation at time 0, whose run sets duration and grid; ``tracks``: the numbers that move;
+    ``vowels``: (time, vowel) from which each holds, empty where it stays.
 
     Raises ParameterError for a path that cannot move, a path given twice, or a value that the request refuses.
     """
 
     start: Simulation
     tracks: tuple[Track, ...]
+    vowels: tuple[tuple[float, str], ...] = ()
 
     def __post_init__(self):
         seen = set()
@@ -46,12 +49,14 @@ class Gesture:
         now = self.start
         for track in self.tracks:
             now = with_number(now, track.path, track.at(time_s))
-        return now
+        vowel = next((vowel for begin, vowel in reversed(self.vowels) if begin <= time_s), now.vowel)
+        return now if vowel == now.vowel else replace(now, vowel=vowel)
 
     def corners_s(self) -> tuple[float, ...]:
         """Times at which some number begins or ends to move, inside the run, with 0 and its end."""
         end = self.start.run.duration_s
         inside = {time for track in self.tracks for time in track.times_s if 0.0 < time < end}
+        inside |= {time for time, _ in self.vowels if 0.0 < time < end}
         return (0.0, *sorted(inside), end)
 
 
@@ -71,7 +76,24 @@ def gesture_from_dict(document: Mapping[str, Any]) -> Gesture:
         track = track_from_pairs(path, place[key])
         place[key] = track.at(0.0)
         tracks.append(track)
-    return Gesture(simulation_from_dict(plain), tuple(tracks))
+    vowels = _vowels(plain.get("vowel"))
+    if vowels:
+        plain["vowel"] = vowels[0][1]
+    return Gesture(simulation_from_dict(plain), tuple(tracks), vowels)
+
+
+def _vowels(value: Any) -> tuple[tuple[float, str], ...]:
+    if not isinstance(value, list):
+        return ()
+    times = track_from_pairs("vowel", [[pair[0], 0.0] if _is_pair(pair) else pair for pair in value]).times_s
+    for k, (_, vowel) in enumerate(value):
+        if vowel not in VOWELS:
+            raise ParameterError(f"vowel.{k}.1", f"{vowel!r} is not known", " | ".join(VOWELS))
+    return tuple((time, vowel) for time, (_, vowel) in zip(times, value, strict=True))
+
+
+def _is_pair(value: Any) -> bool:
+    return isinstance(value, list) and len(value) == 2
 
 
 def gesture_to_dict(gesture: Gesture) -> dict[str, Any]:
@@ -83,6 +105,8 @@ def gesture_to_dict(gesture: Gesture) -> dict[str, Any]:
         for parent in parents:
             place = place[parent]
         place[key] = track.pairs()
+    if gesture.vowels:
+        document["vowel"] = [[time, vowel] for time, vowel in gesture.vowels]
     return document
 
 

@@ -31,18 +31,22 @@ class GlidingFold:
         self._buffer, self._scalars = march.buffer, march.scalars
         self._advance = step_kernel(self.fold.nx, self.fold.ny, self.fold.rotation)
         self._fixed = assemble.fixed_index(self.fold)
+        self.seen = self.shape()
 
-    def advance(self, to: assemble.Fold, pressure_pa: float, steps: int) -> np.ndarray:
+    def advance(self, to: assemble.Fold, pressure_pa: float, steps: int, look_at: int = 0) -> np.ndarray:
         """Move to another fold of the same grid and another pressure in ``steps``; (steps, 5), layout.RECORD.
 
+        ``look_at``: the step, a multiple of STRETCH_STEPS, after which ``seen`` is taken; looking changes nothing.
         Raises DivergenceError when the fold leaves all bounds.
         """
         record = np.empty((steps, len(RECORD)))
         pressure = np.linspace(self.pressure_pa, pressure_pa, steps, endpoint=False)
         if to is self.fold:
-            self._advance(self._buffer, self._scalars, pressure, 1, record)
+            self._advance(self._buffer, self._scalars, pressure[:look_at], 1, record[:look_at])
+            self._look(look_at, look_at)
+            self._advance(self._buffer, self._scalars, pressure[look_at:], 1, record[look_at:])
         else:
-            self._glide(to, pressure, record)
+            self._glide(to, pressure, record, look_at)
         self.fold, self.pressure_pa = to, pressure_pa
         self.steps += steps
         w = assemble.membrane(self._buffer, to)
@@ -54,7 +58,11 @@ class GlidingFold:
         """Present displacement (ny, nx) of the membrane and (nx,) of the beam; copies, m."""
         return assemble.membrane(self._buffer, self.fold).copy(), assemble.beam(self._buffer, self.fold).copy()
 
-    def _glide(self, to: assemble.Fold, pressure: np.ndarray, record: np.ndarray) -> None:
+    def _look(self, step: int, look_at: int) -> None:
+        if step == look_at:
+            self.seen = self.shape()
+
+    def _glide(self, to: assemble.Fold, pressure: np.ndarray, record: np.ndarray, look_at: int) -> None:
         fixed_to = assemble.new_buffer(to, self.time_step_s)[self._fixed]
         fixed_from = self._buffer[self._fixed]
         moving = fixed_from != fixed_to
@@ -67,5 +75,6 @@ class GlidingFold:
             self._buffer[places] = origin + part * way
             scalars = scalars_from + part * (scalars_to - scalars_from)
             self._advance(self._buffer, scalars, pressure[begin:end], 1, record[begin:end])
+            self._look(end, look_at)
         self._buffer[self._fixed] = fixed_to
         self._scalars = scalars_to

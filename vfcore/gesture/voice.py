@@ -62,14 +62,15 @@ class Voice:
     def fold(self) -> Fold:
         return self._gliding.fold
 
-    def shape(self) -> tuple[np.ndarray, np.ndarray]:
-        """Displacement of the membrane (ny, nx) and the beam (nx,) now, m."""
-        return self._gliding.shape()
+    @property
+    def seen(self) -> tuple[np.ndarray, np.ndarray]:
+        """Displacement of the membrane (ny, nx) and the beam (nx,) when last looked at, m."""
+        return self._gliding.seen
 
-    def advance(self, target: Simulation) -> Block:
-        """The next block; the numbers of the request reach ``target`` at its end."""
+    def advance(self, target: Simulation, look_at: int = 0) -> Block:
+        """The next block; the numbers of the request reach ``target`` at its end. ``look_at``: a step of the block."""
         fold, posture = self._fold_of(target)
-        record = self._gliding.advance(fold, target.subglottal_pressure_pa, BLOCK_STEPS)
+        record = self._gliding.advance(fold, target.subglottal_pressure_pa, BLOCK_STEPS, look_at)
         sound = self._lips.push(record[:, 1], self._tract(target))
         audio = self._resampler.push(sound[0])
         self.request, self.posture = target, posture
