@@ -65,7 +65,7 @@ class Host:
 
     def __init__(self, most: int):
         self._most = most
-        self._playing = 0
+        self.playing = 0
         self._process: Any = None
         self._control: Connection | None = None
         self._starting = asyncio.Lock()
@@ -73,12 +73,12 @@ class Host:
     @asynccontextmanager
     async def voice(self) -> AsyncIterator[Line]:
         """A voice for as long as the block lasts. Raises TooMany or NotReady."""
-        if self._playing >= self._most:
+        if self.playing >= self._most:
             raise TooMany(
-                f"{self._playing} voices are being played, the most this server takes (VOCALIS_LIVE_VOICES). "
+                f"{self.playing} voices are being played, the most this server takes (VOCALIS_LIVE_VOICES). "
                 "Try again when one has stopped."
             )
-        self._playing += 1
+        self.playing += 1
         line = None
         try:
             await self._started()
@@ -88,7 +88,7 @@ class Host:
             line = Line(ours)
             yield line
         finally:
-            self._playing -= 1
+            self.playing -= 1
             if line is not None:
                 line.close()
 

@@ -1,4 +1,4 @@
-"""One played voice, in the process of the voices: what the hand says goes in, a block of sound every 10 ms comes out."""
+"""One played voice, in the process of the voices: words of the hand go in, a block of sound every 10 ms comes out."""
 
 import json
 import math
@@ -42,6 +42,7 @@ class Player:
         self._voice: Voice | None = None
         self._strobe = Strobe()
         self._recording: Recording | None = None
+        self._first_recorded = 0
         self._lead_error_s = 0.0
         self._sequence = 0
         self._levels: list[np.ndarray] = []
@@ -162,8 +163,10 @@ class Player:
         if on:
             self._begin()
             self._recording = Recording(self._wanted)
+            self._first_recorded = self._sequence
         elif self._recording is not None:
-            self._say({"type": "gesture", "gesture": self._recording.document()})
+            document = self._recording.document()
+            self._say({"type": "gesture", "first_sequence": self._first_recorded, "gesture": document})
             self._recording = None
 
     def _say(self, document: dict[str, Any]) -> None:
