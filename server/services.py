@@ -7,6 +7,7 @@ from fastapi import Depends
 from starlette.requests import HTTPConnection
 
 from vocalis_server.access import Access, access_for, client_of
+from vocalis_server.gestures import GestureCache
 from vocalis_server.jobs.desk import Desk
 from vocalis_server.jobs.events import EventLog
 from vocalis_server.jobs.interactive import Interactive
@@ -30,6 +31,7 @@ class Services:
     postures: Interactive
     runs: Interactive
     voices: Host
+    gestures: GestureCache
 
     @classmethod
     def of(cls, settings: Settings) -> "Services":
@@ -46,6 +48,7 @@ class Services:
             postures=Interactive(1, settings.interactive_waiting, "posture"),
             runs=Interactive(settings.interactive_slots, settings.interactive_waiting, "run"),
             voices=Host(settings.live_voices),
+            gestures=GestureCache(),
         )
 
     def start(self) -> None:

@@ -73,6 +73,18 @@ def contour_csv(rendered: RenderedGesture) -> str:
 
 def write_gesture_netcdf(rendered: RenderedGesture, path: str | os.PathLike) -> None:
     """Waves over ``time``, contours over ``block``; whole or not at all, OSError where ``path`` cannot be written."""
+    with replacing(path) as draft:
+        write_variables(draft, *_content(rendered))
+
+
+def gesture_netcdf_bytes(rendered: RenderedGesture) -> bytes:
+    """The same file as octets."""
+    buffer = io.BytesIO()
+    write_variables(buffer, *_content(rendered))
+    return buffer.getvalue()
+
+
+def _content(rendered: RenderedGesture) -> tuple[dict[str, Variable], dict[str, str]]:
     variables = {
         name: Variable(("time",), wave, {"units": ARRAYS[name].unit, "long_name": ARRAYS[name].label})
         for name, wave in rendered.waves.items()
@@ -89,8 +101,7 @@ def write_gesture_netcdf(rendered: RenderedGesture, path: str | os.PathLike) -> 
         "references": PAPER,
         "request": json_text(gesture_to_dict(rendered.gesture)),
     }
-    with replacing(path) as draft:
-        write_variables(draft, variables, attributes)
+    return variables, attributes
 
 
 def _quantities() -> Mapping[str, tuple[str, str]]:

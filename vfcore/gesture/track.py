@@ -9,6 +9,7 @@ from vfcore.errors import ParameterError
 from vfcore.fields import check_number
 
 MOST_BREAKPOINTS = 1000
+LATEST_S = 3600.0
 _FORM = "a list of [time in s, value] pairs with rising times"
 
 
@@ -26,7 +27,7 @@ class Track:
     def __post_init__(self):
         check_number(f"{self.path} (breakpoints)", len(self.times_s), 1, MOST_BREAKPOINTS)
         for k, time in enumerate(self.times_s):
-            check_number(f"{self.path}.{k}.0", time, 0.0, 3600.0, "s")
+            check_number(f"{self.path}.{k}.0", time, 0.0, LATEST_S, "s")
             if k and time <= self.times_s[k - 1]:
                 raise ParameterError(
                     f"{self.path}.{k}.0", f"{time:g} s is not after {self.times_s[k - 1]:g} s", "rising times"
