@@ -1,7 +1,8 @@
 """The designed study: which claims change when a choice that the paper leaves open is made otherwise.
 
 One factor at a time around the defaults of the variant "paper", then pairs of the most promising choices, then a
-designed set over what makes the posture, on maps of 11 × 11 cells. T1 is left out: no choice but the step changes what a run costs. Run it with `vocalis paper --study`.
+designed set over what makes the posture, on maps of 11 × 11 cells. T1 is left out: no choice but the step changes
+what a run costs. Run it with `vocalis paper --study`.
 """
 
 from collections.abc import Callable, Mapping

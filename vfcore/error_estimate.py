@@ -8,9 +8,9 @@ With f₁ on the finest grid, f₂, f₃ on the grid asked for, a measure that c
 
     (h₃ᵖ − h₂ᵖ)/(h₂ᵖ − h₁ᵖ) = (f₃ − f₂)/(f₂ − f₁)
 
-and, with R = h₃/h₁, its limit is f₃ + (f₁ − f₃) Rᵖ/(Rᵖ − 1). The half width of the bar about f₃ is that distance
-times a safety factor: 1.25 for an observed order, 3 where the order found is below 0.5 and the first order of the scheme
-is taken instead (Roache 1997). Orders above 2 count as 2, the highest of the scheme (Eça & Hoekstra 2014 likewise).
+and, with R = h₃/h₁, its limit is f₃ + (f₁ − f₃) Rᵖ/(Rᵖ − 1) (Celik et al. 2008). The half width of the bar about f₃ is
+that distance times a safety factor (Roache 1997): 1.25 for an observed order; 3 where the order found is below 0.5, and
+the first order of the scheme is taken instead. Orders above 2 count as 2, the highest of the scheme.
 
 Not covered: the error of the model, which is far larger, and that of the tract, which is exact.
 """
@@ -33,6 +33,7 @@ LOWEST_ORDER, SCHEME_ORDER, HIGHEST_ORDER = 0.5, 1.0, 2.0
 SAFETY_OBSERVED, SAFETY_ASSUMED = 1.25, 3.0
 #: A change below this share of the value is rounding.
 ROUNDING = 1e-9
+NO_VALUE = "The measure has no value here."
 METHOD = "Richardson extrapolation over three grids, Roache's safety factors; docs/model.md, section 4"
 
 
@@ -76,7 +77,7 @@ def companions(request: Simulation) -> tuple[Simulation, ...]:
 
 
 def companion_step_s(step_s: float, refinement: float, longest_s: float) -> float:
-    """The time step of a companion: that of the run over a whole number, ``refinement`` or more, up to ``longest_s``."""
+    """The step of a companion: that of the run over a whole number, ``refinement`` or more, up to ``longest_s``."""
     return step_s / max(math.ceil(refinement), math.ceil(step_s / longest_s))
 
 
@@ -92,19 +93,19 @@ def _finer(run: Run, by: float) -> Run:
 
 def without_bars(levels: Sequence[Level], reason: str) -> ErrorEstimate:
     """No measure has a bar, for one ``reason``."""
-    return ErrorEstimate(tuple(levels), {key: _none(reason) for key in CATALOGUE.keys()})
+    return ErrorEstimate(tuple(levels), {spec.key: _none(reason) for spec in CATALOGUE})
 
 
 def richardson(levels: Sequence[Level], reports: Sequence[MeasureReport]) -> ErrorEstimate:
     """Error bars of the first of three runs, given on three ``levels``, each finer than the one before."""
     h = [1.0 / math.sqrt((level.nx - 1) * (level.ny - 1)) for level in levels]
-    bars = {key: _bar(h, [report.measures[key].value for report in reports], reports) for key in CATALOGUE.keys()}
+    bars = {s.key: _bar(h, [one.measures[s.key].value for one in reports], reports) for s in CATALOGUE}
     return ErrorEstimate(tuple(levels), bars)
 
 
 def _bar(h: Sequence[float], f: Sequence[float | None], reports: Sequence[MeasureReport]) -> ErrorBar:
     if f[0] is None:
-        return _none("The measure has no value here.")
+        return _none(NO_VALUE)
     states = [report.state for report in reports]
     if len(set(states)) > 1:
         return _none(f"The phonation state changes with the grid: {', '.join(states)}.")
@@ -139,4 +140,3 @@ def _order(h: Sequence[float], ratio: float) -> float | None:
 
 def _none(reason: str) -> ErrorBar:
     return ErrorBar(None, None, None, False, reason)
-

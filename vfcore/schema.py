@@ -59,8 +59,8 @@ def parameter_schema() -> list[dict[str, Any]]:
     """One row per request parameter, in the order of display.
 
     Keys of a row: ``key`` (dotted path in the request), ``label``, ``symbol``, ``unit``, ``type`` (number | integer |
-    choice | boolean), ``nullable``, ``default``, ``min``, ``max``, ``step``, ``group`` (one of GROUPS), ``help``, ``source``,
-    ``options`` (of a choice, else None); and of posturing constants ``default_by_posture_set``.
+    choice | boolean), ``nullable``, ``default``, ``min``, ``max``, ``step``, ``group`` (one of GROUPS), ``help``,
+    ``source``, ``options`` (of a choice, else None); and of posturing constants ``default_by_posture_set``.
     """
     rows = [
         *_rows(Activation, "activation.", MUSCLES),

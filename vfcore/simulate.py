@@ -1,7 +1,7 @@
 """The main job: muscles in; posture, vibration, pressures, measures and sound out."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from importlib.metadata import version
@@ -123,15 +123,18 @@ def _run(request: Simulation, progress, stop, ready: Prepared, step_s: float | N
     )
 
 
+def steps_of(request: Simulation, folds: Sequence[Fold]) -> list[float]:
+    """Time steps in force, s, of a request and of its companions, if any, on their folds."""
+    own = time_step_s(request.run, folds[0])
+    finer = zip(REFINEMENTS, folds[1:], strict=False)
+    return [own, *(companion_step_s(own, by, longest_stable_step_s(fold)) for by, fold in finer)]
+
+
 def _run_with_companions(request: Simulation, progress, stop, prepared_by) -> SimulationResult:
     """The run asked for and its companions, progress being shared out by their work."""
     requests = (request, *companions(request))
     folds = [prepared_by(one) for one in requests]
-    steps = [time_step_s(request.run, folds[0].fold)]
-    steps += [
-        companion_step_s(steps[0], by, longest_stable_step_s(ready.fold))
-        for by, ready in zip(REFINEMENTS, folds[1:], strict=True)
-    ]
+    steps = steps_of(request, [ready.fold for ready in folds])
     work = np.cumsum([0.0] + [one.run.nx * one.run.ny / step for one, step in zip(requests, steps, strict=True)])
     work /= work[-1]
     result, levels, reports = None, [], []
