@@ -1,6 +1,7 @@
 """The scores that hold: by running the model anew, and against what is shipped and printed in docs/scoreboard.md."""
 
 import os
+import re
 from functools import cache
 
 import pytest
@@ -10,7 +11,7 @@ from vfcore.params import VARIANTS
 from vfcore.version import MODEL_VERSION
 from vocalis_paper import CASES, CLAIMS
 from vocalis_paper.convergence import last_changes
-from vocalis_paper.report_ship import CONVERGENCE, SCOREBOARD, STUDY, pages, shipped
+from vocalis_paper.report_ship import CONVERGENCE, PAGE, SCOREBOARD, STUDY, pages, shipped
 from vocalis_paper.report_text import filled
 from vocalis_paper.run import workers
 from vocalis_paper.run_document import score_variant
@@ -89,6 +90,10 @@ def test_every_shipped_run_is_accounted_for(variant):
 def test_the_page_shows_the_shipped_tables(path):
     page = path.read_text(encoding="utf-8")
     assert filled(page, pages()[path]) == page, "run `python -m vocalis_paper.report_ship --text`"
+
+
+def test_no_table_of_the_scoreboard_stands_without_its_maker():
+    assert set(re.findall(r"<!-- table: (.+) -->", PAGE.read_text(encoding="utf-8"))) == set(pages()[PAGE])
 
 
 def test_the_last_refinement_of_grid_and_step_is_within_the_bounds_set_beforehand():
