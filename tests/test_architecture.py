@@ -41,7 +41,7 @@ MAY_IMPORT = {
     "closure": set(),
     "assemble": BASE | {"tissue", "kernels"},
     "stability": BASE | {"assemble"},
-    "statics": BASE | {"assemble", "closure"},
+    "statics": BASE | {"assemble", "closure", "kernels"},
     "march": BASE | {"assemble", "statics", "kernels"},
 }
 #: For each folder of the page, the folders it must not see.
