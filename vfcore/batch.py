@@ -44,7 +44,7 @@ def run_points(
 
 def static_shapes(requests: Sequence[Simulation]) -> Iterator[Prepared | VocalisError]:
     """Posture, fold and static shape of each request, in order, or the error that says why there is none."""
-    for request, (posture, found) in _folds(requests):
+    for _, (posture, found) in _folds(requests):
         if isinstance(found, Fold):
             try:
                 yield Prepared(posture, found, static_shape_of(found))
