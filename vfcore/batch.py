@@ -5,8 +5,8 @@ from itertools import islice
 from typing import NamedTuple
 
 from vfcore.assemble import Fold
-from vfcore.errors import Cancelled, VocalisError
-from vfcore.march import March
+from vfcore.errors import ParameterError, VocalisError
+from vfcore.march_batch import Motion, Outcome, march_many
 from vfcore.measures.catalogue import MeasureReport, known_keys, measure_all
 from vfcore.params import Simulation
 from vfcore.posture.equilibrium import solve_each_posture
@@ -15,7 +15,8 @@ from vfcore.simulate import Prepared, fold_of, measured_sound, posture_of, signa
 from vfcore.stability import time_step_s
 from vfcore.statics import static_shape_of
 
-BLOCK = 64  # requests whose postures are solved together; bounds the memory of a long list
+BLOCK = 64  # requests taken together, a multiple of the lanes of the step; bounds the memory of a long list
+PRECISIONS = ("float64", "float32")
 
 
 class Point(NamedTuple):
@@ -31,15 +32,19 @@ def run_points(
     stop: Callable[[], bool] | None = None,
     *,
     measures: Sequence[str] | None = None,
+    precision: str = "float64",
 ) -> Iterator[Point]:
     """Run the requests and yield one Point each, in their order.
 
-    ``measures``: the keys wanted, None for all of the catalogue. Each number equals that of ``simulate`` bit for bit.
-    ``stop()`` is asked between chunks of voice; Cancelled is raised when it answers true. Any other error belongs to
-    its point and leaves the others alone. Raises ParameterError for an unknown measure.
+    ``measures``: the keys wanted, None for all of the catalogue. ``precision``: "float64" or "float32" of the march.
+    A point is the same, bit for bit, whatever points run beside it. ``stop()`` is asked between chunks of voice;
+    Cancelled is raised when it answers true. Any other error belongs to its point and leaves the others alone.
+    Raises ParameterError for an unknown measure or precision.
     """
+    if precision not in PRECISIONS:
+        raise ParameterError("precision", f"{precision!r} is not known", " | ".join(PRECISIONS))
     keys = None if measures is None else known_keys(measures)
-    return _points(requests, stop, keys)
+    return _points(requests, stop, keys, precision == "float32")
 
 
 def static_shapes(requests: Sequence[Simulation]) -> Iterator[Prepared | VocalisError]:
@@ -54,30 +59,48 @@ def static_shapes(requests: Sequence[Simulation]) -> Iterator[Prepared | Vocalis
             yield found
 
 
-def _points(requests, stop, keys) -> Iterator[Point]:
-    for request, (posture, found) in _folds(requests):
-        if isinstance(found, Fold):
+def _points(requests, stop, keys, single_precision) -> Iterator[Point]:
+    folds = _folds(requests)
+    while block := list(islice(folds, BLOCK)):
+        done, motions = {}, {}
+        for place, (request, (_, found)) in enumerate(block):
             try:
-                yield Point(posture, _report(request, posture, found, stop, keys), None)
-            except Cancelled:
-                raise
+                if isinstance(found, VocalisError):
+                    raise found
+                motions[place] = _motion(request, found)
             except VocalisError as error:
-                yield Point(None, None, error)
-        else:
-            yield Point(None, None, found)
+                done[place] = Point(None, None, error)
+        places, following = list(motions), 0
+        for index, outcome in march_many(list(motions.values()), single_precision=single_precision, stop=stop):
+            request, (posture, fold) = block[places[index]]
+            done[places[index]] = _reduced(request, posture, fold, outcome, keys)
+            while following in done:
+                yield done.pop(following)
+                following += 1
+        for place in sorted(done):
+            yield done[place]
 
 
-def _report(request: Simulation, posture: PostureSolution, fold: Fold, stop, keys) -> MeasureReport:
+def _motion(request: Simulation, fold: Fold) -> Motion:
     run = request.run
-    march = March(fold, time_step_s(run, fold), request.subglottal_pressure_pa, run.pressure_rise_s)
-    march.start_static(static_shape_of(fold)) if run.start == "static" else march.start_flat()
-    sample_s = march.time_step_s * march.record_every
-    arrays = waveforms(march.run(round(run.duration_s / sample_s), None, stop), sample_s, fold.nx)
-    return measure_all(
-        signals_of(request, posture, fold, arrays, sample_s),
-        keys,
-        radiate=lambda: measured_sound(request, arrays["glottal_flow_m3_s"], sample_s),
-    )
+    start = static_shape_of(fold) if run.start == "static" else None
+    step_s = time_step_s(run, fold)
+    return Motion(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+
+
+def _reduced(request: Simulation, posture: PostureSolution, fold: Fold, outcome: Outcome, keys) -> Point:
+    if outcome.problem is not None:
+        return Point(None, None, outcome.problem)
+    try:
+        arrays = waveforms(outcome.record, outcome.sample_s, fold.nx)
+        report = measure_all(
+            signals_of(request, posture, fold, arrays, outcome.sample_s),
+            keys,
+            radiate=lambda: measured_sound(request, arrays["glottal_flow_m3_s"], outcome.sample_s),
+        )
+    except VocalisError as error:
+        return Point(None, None, error)
+    return Point(posture, report, None)
 
 
 def _folds(requests: Sequence[Simulation]):

@@ -86,9 +86,9 @@ def solve_band(band, x, block):
 def equilibrium_with_contact(T, G_t, dy, K, K_foun, K_col, beam_matrix, beam_load, G, limit, free, band, touching, x):
     """Solves needed until the contact set settles, NOT_SETTLED within ``limit`` of them, or NO_SOLUTION.
 
-    ``K`` (ny,), ``beam_matrix`` (n, n), ``beam_load`` (n,), ``G`` (ny, n) on the n inner columns. Out: ``x`` (n, ny + 1),
-    each column's membrane and beam. Working space: ``free`` and ``band`` (n (ny + 1), 2 (ny + 1) + 1), ``touching``
-    (ny, n) bool.
+    ``K`` (ny,), ``beam_matrix`` (n, n), ``beam_load`` (n,), ``G`` (ny, n) on the n inner columns. Out: ``x``
+    (n, ny + 1), each column's membrane and beam. Working space: ``free`` and ``band``
+    (n (ny + 1), 2 (ny + 1) + 1), ``touching`` (ny, n) bool.
     """
     ny, n = G.shape
     block = ny + 1
