@@ -18,7 +18,7 @@ STEP_S = DEFAULT_STEP_S / 4
 
 contact_pressure = contact.contact_pressure
 gap, reciprocal, separation_gap = flow.gap, flow.reciprocal, flow.separation_gap
-viscous_segment, slice_flux, pressure = flow.viscous_segment, flow.slice_flux, flow.pressure
+cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, flow.slice_flux, flow.pressure
 tension, coupling = membrane.tension, membrane.coupling
 shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
 
@@ -58,14 +58,14 @@ def _slice_pressure(w, G, i, k, p, d):
         j_sep -= 1
     integral = 0.0
     for j in range(ny - 2, j_sep - 1, -1):
-        integral += viscous_segment(reciprocal(d[j + 1]), reciprocal(d[j]), 0.5 * k.dy)
+        integral += viscous_segment(cube(reciprocal(d[j + 1])), cube(reciprocal(d[j])), 0.5 * k.dy)
     q = slice_flux(k.P_s, integral, d_sep, d_min, k.half_rho_a, k.twelve_mu_a)
     integral = 0.0
     for j in range(ny - 1, -1, -1):
         on_the_lung_side = j > j_sep or (d_min <= 0.0 and j == j_sep)
         p[j] = pressure(k.P_s, q, reciprocal(d[j]), integral, k.half_rho_a, k.twelve_mu_a) if on_the_lung_side else 0.0
         if j > 0:
-            integral += viscous_segment(reciprocal(d[j]), reciprocal(d[j - 1]), 0.5 * k.dy)
+            integral += viscous_segment(cube(reciprocal(d[j])), cube(reciprocal(d[j - 1])), 0.5 * k.dy)
     return d_min
 
 
@@ -87,8 +87,8 @@ def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, area
                 shear = 0.0
                 for other in (j - 1, j + 1):
                     if 0 <= other < ny:
-                        strain = shear_strain(w[j, i], w[other, i], 0.0, 1.0 / k.dy)
-                        rate = shear_strain(v[j, i], v[other, i], 0.0, 1.0 / k.dy)
+                        strain = shear_strain(w[j, i], w[other, i], 0.0) / k.dy
+                        rate = shear_strain(v[j, i], v[other, i], 0.0) / k.dy
                         cell = 0.5 * k.dy if j == 0 or j == ny - 1 else k.dy
                         shear += shear_flux(strain, rate, k.G_shear, k.eta_shear) / cell
                 p_col = contact_pressure(w[j, i], v[j, i], G[j, i], k.K_col, k.C_col)
