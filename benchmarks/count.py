@@ -28,7 +28,7 @@ class Counted(np.ndarray):
         result = getattr(ufunc, method)(*plain, **options)
         kind = "arithmetic" if ufunc in ARITHMETIC else "comparisons" if ufunc in COMPARISONS else None
         if kind is not None and any(isinstance(value, Counted) for value in inputs):
-            Counted.tally[kind] += np.size(result)
+            Counted.tally[kind] += np.asarray(result).size
         return np.asarray(result).view(Counted)
 
     def __array_function__(self, function, types, inputs, options):
@@ -42,8 +42,8 @@ class Counted(np.ndarray):
         return value
 
     def __setitem__(self, index, value):
-        Counted.tally["accesses"] += np.size(value)
-        super().__setitem__(index, value)
+        Counted.tally["accesses"] += np.asarray(value).size
+        np.asarray(self)[index] = value
 
 
 def count_step(nx: int, ny: int) -> dict[str, int]:

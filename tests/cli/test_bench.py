@@ -8,6 +8,7 @@ import pytest
 from vfcore.kernels.layout import Layout
 from vfcore.params import Run, Simulation
 from vfcore.simulate import prepare, simulate
+from vocalis_bench import history
 from vocalis_bench.count import Counted, count_step
 from vocalis_bench.reference import plain_run
 from vocalis_bench.rounds import interleaved
@@ -56,6 +57,33 @@ def test_rounds_are_interleaved_and_the_first_does_not_count():
     assert set(seconds) == {"a", "b"} and all(0 <= value < 0.1 for value in seconds.values())
 
 
+def run_on(processor, ratio):
+    return {"processor": processor, "values": dict.fromkeys(history.WATCHED, ratio)}
+
+
+def test_a_ratio_that_fell_by_more_than_fifteen_percent_is_named():
+    runs = [run_on("x", ratio) for ratio in (19.0, 20.0, 30.0)]
+    now = dict.fromkeys(history.WATCHED, 17.5)
+    assert history.regressions(now, runs) == []
+    now["batch_ratio"] = 16.5
+    [sentence] = history.regressions(now, runs)
+    assert "batch_ratio" in sentence and "18 % below 20" in sentence
+
+
+def test_the_history_keeps_processors_apart(tmp_path):
+    file = tmp_path / "new" / "history.jsonl"
+    assert history.earlier(file, "x") == []
+    for processor in ("x", "y", "x"):
+        history.keep(file, processor, {"batch_ratio": 1.0})
+    assert [run["processor"] for run in history.earlier(file, "x")] == ["x", "x"]
+
+
+def test_a_check_that_finds_a_loss_exits_with_one(monkeypatch, capsys):
+    monkeypatch.setattr(history, "earlier", lambda file, processor: [run_on(processor, 1e6)])
+    assert main(["bench", "--quick", "--check", "--json"]) == 1
+    assert "slower than before: reference_ratio" in capsys.readouterr().err
+
+
 def test_the_table_is_json_too(capsys):
     assert main(["bench", "--quick", "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
@@ -63,4 +91,5 @@ def test_the_table_is_json_too(capsys):
     assert {"posture_us", "static_ms", "kernel_s", "kernel_paper_step_s", "stored_s", "reference_ratio"} <= set(rows)
     assert rows["stored_s"]["target"] == 0.08 and rows["stored_s"]["value"] > rows["kernel_s"]["value"] > 0
     assert rows["kernel_paper_step_s"]["value"] > 4 * rows["kernel_s"]["value"]
+    assert {"batch_ratio", "single_precision_ratio", "paper_minute_ratio"} <= set(rows)
     assert document["machine"]["cores"] >= 1
