@@ -5,8 +5,9 @@ import json
 import numpy as np
 import pytest
 
+from tests.support.fold_harness import MODAL, product_and_twin
 from vfcore.kernels.layout import Layout
-from vfcore.params import Run, Simulation
+from vfcore.params import PAPER_STEP_S, Run, Simulation
 from vfcore.simulate import prepare, simulate
 from vocalis_bench import history
 from vocalis_bench.count import Counted, count_step
@@ -27,10 +28,18 @@ def rate(area, sample_s):
 
 def test_the_plain_loop_is_the_same_voice():
     request = Simulation(run=Run(duration_s=0.3))
-    area = plain_run(prepare(request).fold, request.subglottal_pressure_pa, 0.3)
+    area = plain_run(prepare(request).fold, request.subglottal_pressure_pa, 0.3)[:, 0]
     product = simulate(request).arrays["glottal_area_m2"]
     assert rate(area[::4], 1 / 35000) == pytest.approx(rate(product, 1 / 35000), rel=1e-3)
     assert area.max() == pytest.approx(product.max(), rel=5e-3)
+
+
+def test_the_plain_loop_is_the_slow_twin_of_the_tests():
+    fold, twin = product_and_twin(**MODAL)
+    plain = plain_run(fold, 1000.0, 0.01, PAPER_STEP_S)
+    slow = twin.run(twin.initial_state(), 1000.0, PAPER_STEP_S, len(plain), "euler")
+    for column, wave in enumerate((slow.A_g_min, slow.Q_g, slow.p_col_max)):
+        assert plain[:, column] == pytest.approx(np.maximum(wave, 0.0), rel=1e-6, abs=1e-9 * np.abs(wave).max())
 
 
 def test_counted_numbers_count():
