@@ -12,6 +12,10 @@ trapezoidal rule for its own stiffness A (tension, bending, end moments, per mas
 which is unconditionally stable and undamped. With S = (I − dt²A/4)⁻¹ and SA = (4/dt²)(S − I)
 the right side is S (f/ρ_l + 4/dt² w_b) − 4/dt² w_b: one dense product per step.
 
+Kept between steps: w, v^{n−½} and v*, so that every damper reads v* without computing it again.
+Shear is taken in differences between rows, with G̃/dy² and η̃/dy²; an edge row is a half cell,
+so its flux counts twice (``per_weight``) and its traction and contact half (``weight``).
+
 Order 2 in dt, dx, dy. Stability: vfcore/stability.py. Boundary slices x = 0, L count by the
 trapezoid rule in area and flow.
 """
