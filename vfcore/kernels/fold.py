@@ -12,6 +12,10 @@ trapezoidal rule for its own stiffness A (tension, bending, end moments, per mas
 which is unconditionally stable and undamped. With S = (I − dt²A/4)⁻¹ and SA = (4/dt²)(S − I)
 the right side is S (f/ρ_l + 4/dt² w_b) − 4/dt² w_b: one dense product per step.
 
+Kept between steps: w, v^{n−½} and v*, so that every damper reads v* without computing it again.
+Shear is taken in differences between rows, with G̃/dy² and η̃/dy²; an edge row is a half cell,
+so its flux counts twice (``per_weight``) and its traction and contact half (``weight``).
+
 Order 2 in dt, dx, dy. Stability: vfcore/stability.py. Boundary slices x = 0, L count by the
 trapezoid rule in area and flow.
 """
@@ -111,7 +115,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     weight, per_weight = each(buf, WEIGHT + j, P, W), each(buf, PER_WEIGHT + j, P, W)
                     slice_largest = maximum(p_col, slice_largest)
                     touched = where(touching(w, G_j), touched + weight, touched)
-                    to_beam += weight * traction
+                    to_beam = to_beam + weight * traction
                     flux, w_next, v_next = zero, w, v
                     if j > 0:
                         w_next, v_next = load(buf, WM + o - S, W), load(buf, VS + o - S, W)
@@ -139,9 +143,9 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                 beam = to_beam * dy - K_foun * w_b - C_foun * v_b
                 store(buf, FB + i, beam * per_rho_l + load(buf, LOAD + i, W) + four_per_dt2 * w_b)
                 width = load(buf, WIDTH + i, W)
-                area += d_min * width
-                flow_rate += q * width
-                contact_area += touched * width * dy
+                area = area + d_min * width
+                flow_rate = flow_rate + q * width
+                contact_area = contact_area + touched * width * dy
                 slice_largest = where(load(buf, INV + i, W) > 0.0, slice_largest, 0.0)
                 column = where(slice_largest > largest, load(buf, COLUMN + i, W), column)
                 largest = maximum(slice_largest, largest)
@@ -175,7 +179,9 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                 w_b = load(buf, WB + i, W)
                 acceleration = 0.0 - four_per_dt2 * w_b
                 for k in range(NB):
-                    acceleration += load(buf, BI + k * WORKED + i - C1, W) * each(buf, (FB + C1) // P + k, P, W)
+                    acceleration = acceleration + load(buf, BI + k * WORKED + i - C1, W) * each(
+                        buf, (FB + C1) // P + k, P, W
+                    )
                 dv = dt * acceleration
                 new = load(buf, VB + i, W) + dv
                 store(buf, VB + i, new)

@@ -34,8 +34,6 @@ def _source_hash() -> str:
 if "NUMBA_CACHE_DIR" not in os.environ:  # not exported: a child process may have another data directory
     numba.config.CACHE_DIR = str(data_directory() / "kernels" / _source_hash())
 
-NO_JIT = bool(numba.config.DISABLE_JIT)
-
 FASTMATH = {"contract", "reassoc", "arcp", "nsz"}
 
 

@@ -1,5 +1,6 @@
-"""Numbers side by side, one for each of a few neighbours (nodes along x, or postures), worked on by one instruction.
+"""Numbers side by side; longer than other files: types, operators and memory of one new kind of number.
 
+Lanes hold one number for each of a few neighbours (nodes along x, or postures), worked on by one instruction.
 ``load(array, at, count)`` reads ``count`` neighbours of a flat array, ``store`` writes them; + − × ÷, < and > and the
 functions below act on each lane alone. A plain number among lanes stands for the same in every lane, in their
 precision. So a law of flow.py, contact.py or membrane.py is written once and serves a float, the columns of one fold,
@@ -106,16 +107,16 @@ def _mask(kind):
     return Mask(kind.count)
 
 
-for _symbols, _name in (
-    ((operator.add, operator.iadd), "fadd"),
-    ((operator.sub, operator.isub), "fsub"),
-    ((operator.mul, operator.imul), "fmul"),
-    ((operator.truediv, operator.itruediv), "fdiv"),
+for _symbol, _name in (
+    (operator.add, "fadd"),
+    (operator.sub, "fsub"),
+    (operator.mul, "fmul"),
+    (operator.truediv, "fdiv"),
 ):
-    for _symbol in _symbols:
-        _operator(_symbol, _arithmetic(_name))
+    _operator(_symbol, _arithmetic(_name))
 _operator(operator.lt, lambda builder, a, b: builder.fcmp_ordered("<", a, b), _mask)
 _operator(operator.gt, lambda builder, a, b: builder.fcmp_ordered(">", a, b), _mask)
+# No += and the like: among numpy arrays they would write into another name's numbers.
 
 
 def maximum(a, b):
