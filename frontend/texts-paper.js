@@ -25,7 +25,7 @@ export const PAPER = {
     static_pca: { name: "PCA", fixed: "LCA = IA 0.8, TA 0.5, CT 0.3" },
   },
   seriesPicture: (name) => `Static shape of one fold from above at rising ${name}; superior edge solid, inferior dashed`,
-  edges: "solid: superior edge, dashed: inferior edge",
+  edges: "Solid: superior edge; dashed: inferior edge.",
   voices: { modal: "Modal", pca_half: "PCA 0.5", pca_full: "PCA 1" },
   voicesLabel: "Which voice",
   waves: "Waves; the shaded cycle is the one shown on the right",
@@ -33,7 +33,7 @@ export const PAPER = {
   matrix: "One cycle on the medial surface",
   matrixPicture: "Eight phases of one cycle, one a row: opening from above, aerodynamic and contact pressure on the medial surface",
   columns: { opening: "Opening, from above", aero: "Aerodynamic pressure", contact: "Contact pressure" },
-  scale: "Pa",
+  narrowColumns: { opening: "Opening", aero: "Air pressure", contact: "Contact" },
   reach: (mm) => `Openings to one scale, ${mm} mm from the midline at most. Left anterior; pressures: superior edge at the top.`,
   measures: {
     fo_hz: { name: "Fundamental frequency", unit: "Hz", decimals: 0, claims: ["A1", "A2", "A3", "A4", "A5"] },

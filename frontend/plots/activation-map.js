@@ -51,11 +51,11 @@ export function activationMapFigure({ x, y, values, states, unit, decimals, rang
     }); // prettier-ignore
   }
   const layout = {
-    paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font, dragmode: false, hovermode: "closest",
+    paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font, dragmode: false, hovermode: "closest", showlegend: false,
     margin: { l: 46, r: 8, t: 8, b: 38 },
     hoverlabel: { bgcolor: colours.panel, bordercolor: colours.line, font: { color: colours.ink } },
-    xaxis: { ...axis, title: { text: x.label, standoff: 4 }, range: ends(x.values) },
-    yaxis: { ...axis, title: { text: y.label, standoff: 4 }, range: ends(y.values) },
+    xaxis: { ...axis, title: { text: x.label, standoff: 4, font }, range: ends(x.values) },
+    yaxis: { ...axis, title: { text: y.label, standoff: 4, font }, range: ends(y.values) },
   }; // prettier-ignore
   return { traces, layout };
 }

@@ -9,8 +9,8 @@ export function levelCurveFigure({ x, y, xLabel, yLabel, range, current }, colou
       paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font, dragmode: false, hovermode: "closest", showlegend: false,
       margin: { l: 54, r: 12, t: 8, b: 42 },
       hoverlabel: { bgcolor: colours.panel, bordercolor: colours.line, font: { color: colours.ink } },
-      xaxis: { ...axis, title: { text: xLabel, standoff: 6 }, range: [-0.02, 1.02] },
-      yaxis: { ...axis, title: { text: yLabel, standoff: 6 }, range },
+      xaxis: { ...axis, title: { text: xLabel, standoff: 6, font }, range: [-0.02, 1.02] },
+      yaxis: { ...axis, title: { text: yLabel, standoff: 6, font }, range },
       shapes: [{ type: "line", xref: "x", yref: "paper", x0: current, x1: current, y0: 0, y1: 1, line: { color: colours.cursor, width: 1, dash: "dot" } }],
     },
   }; // prettier-ignore

@@ -41,9 +41,9 @@ export function PaperMaps() {
       <figure class="paper-figure" key=${key} aria-labelledby=${`title-${key}`}>
         <figcaption><h3 id=${`title-${key}`}>${name}</h3><span class="unit">${unit}</span></figcaption>
         <div class="paper-picture"><${ActivationMap} name=${key} label=${PAPER.mapPicture(name)} map=${() => mapOf(key)} words=${PAPER.states} onPick=${(ta, ct) => openCase(figure, [ct, ta])} /></div>
-        <${Claims} keys=${claims} />
+        <${Claims} keys=${claims} compact=${claims.length > 2} />
       </figure>
     `)}
-    <aside class="paper-figure"><h3>${PAPER.noVoice}</h3><${CellLegend} states=${states.value} words=${PAPER.states} counted=${PAPER.counted} /><p class="current-mark"><b aria-hidden="true">⊕</b> ${PAPER.states.current}</p></aside>
+    <aside class="cells" aria-label=${PAPER.noVoice}><h3>${PAPER.noVoice}</h3><${CellLegend} states=${states.value} words=${PAPER.states} counted=${PAPER.counted} /><p class="current-mark"><b aria-hidden="true">⊕</b> ${PAPER.states.current}</p></aside>
   `;
 }

@@ -24,7 +24,10 @@ function commonLimits(all) {
 const share = (figure, k) => k / Math.max(1, figure.axes[0].values.length - 1);
 
 export function PaperStatic() {
-  return html`${Object.keys(PAPER.series).map((key) => html`<${Series} key=${key} name=${key} />`)}`;
+  return html`
+    <p class="paper-row unit">${PAPER.hint} ${PAPER.edges}</p>
+    ${Object.keys(PAPER.series).map((key) => html`<${Series} key=${key} name=${key} />`)}
+  `;
 }
 
 function Series({ name }) {

@@ -10,7 +10,7 @@ import { palette, rootPx, smallFont } from "../plots/theme.js";
 import { drawWaves, stackLayout } from "../plots/wave-draw.js";
 import { waveRows } from "../plots/waves.js";
 import { extent, fieldAt } from "../result.js";
-import { theme } from "../state/look.js";
+import { narrow, theme } from "../state/look.js";
 import { figures, paper, setVoiceShown, voiceShown } from "../state/paper.js";
 import { SHAPES, WAVES } from "../texts.js";
 import { PAPER } from "../texts-paper.js";
@@ -104,5 +104,5 @@ function paintShapes(context, size, { open, closed, rest, r, colours }) {
 }
 
 function paintMatrix(context, box, model) {
-  drawCycleMatrix(context, matrixLayout(box.width, box.height, model.phases.length, rootPx()), model, model.colours, smallFont(), PAPER.columns);
+  drawCycleMatrix(context, matrixLayout(box.width, box.height, model.phases.length, rootPx()), model, model.colours, smallFont(), narrow.peek() ? PAPER.narrowColumns : PAPER.columns);
 }

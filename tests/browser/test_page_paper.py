@@ -34,7 +34,9 @@ def test_every_part_is_drawn_fits_and_is_open_to_all(visit, section, viewport):
     for name in CANVASES.get(section, ()):
         assert here.ink(name) > 0.01, name
     for name in PLOTS.get(section, ()):
-        values = here.page.evaluate(f"document.querySelector('[data-plot={name}]').data[0].{'z' if section == 'maps' else 'y'}.flat()")
+        values = here.page.evaluate(
+            f"document.querySelector('[data-plot={name}]').data[0].{'z' if section == 'maps' else 'y'}.flat()"
+        )
         assert sum(value is not None for value in values) > 0.8 * len(values), name
     assert here.page.evaluate("document.scrollingElement.scrollWidth") <= viewport["width"]
     assert findings(here) == []
