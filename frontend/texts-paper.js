@@ -6,7 +6,7 @@ export const PAPER = {
   loading: "Loading the figures",
   notLoaded: (why) => `The figures could not be loaded: ${why}`,
   shipped: ({ model_version, code_version, created, variant }) => `Computed ${created.slice(0, 10)} by Vocalis ${code_version}, model ${model_version}, variant “${variant}”.`,
-  here: ({ created, model_version, code_version }) => `Computed here at ${created.slice(11, 16)} UTC by Vocalis ${code_version}, model ${model_version}.`,
+  here: ({ created, model_version, code_version }) => `Computed here ${created.slice(11, 16)} UTC, Vocalis ${code_version}, model ${model_version}`,
   again: "Compute again",
   cancel: "Cancel",
   back: "Back to shipped",
