@@ -15,7 +15,7 @@ import numpy as np
 from vfcore import assemble
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import RECORD
-from vfcore.march import LARGEST_DISPLACEMENT_M, March, divergence
+from vfcore.march import LARGEST_DISPLACEMENT_M, March, diverged
 
 #: 0.3 ms at the default step. In CT 0.1 → 0.9 within 50 ms, stretches of a fifth of it change the sound by −40 dB.
 STRETCH_STEPS = 10
@@ -30,7 +30,7 @@ class GlidingFold:
         self.steps = 0
         self._buffer, self._scalars = march.buffer, march.scalars
         self._advance = step_kernel(self.fold.nx, self.fold.ny, self.fold.rotation)
-        self._fixed = assemble.fixed_index(self.fold)
+        self._rest = assemble.new_buffer(self.fold, self.time_step_s)
         self.seen = self.shape()
 
     def advance(self, to: assemble.Fold, pressure_pa: float, steps: int, look_at: int = 0) -> np.ndarray:
@@ -42,16 +42,16 @@ class GlidingFold:
         record = np.empty((steps, len(RECORD)))
         pressure = np.linspace(self.pressure_pa, pressure_pa, steps, endpoint=False)
         if to is self.fold:
-            self._advance(self._buffer, self._scalars, pressure[:look_at], 1, record[:look_at])
+            self._advance(self._buffer, self._scalars, pressure[:look_at], 1, record[:look_at].reshape(-1))
             self._look(look_at, look_at)
-            self._advance(self._buffer, self._scalars, pressure[look_at:], 1, record[look_at:])
+            self._advance(self._buffer, self._scalars, pressure[look_at:], 1, record[look_at:].reshape(-1))
         else:
             self._glide(to, pressure, record, look_at)
         self.fold, self.pressure_pa = to, pressure_pa
         self.steps += steps
-        w = assemble.membrane(self._buffer, to)
-        if not (w.max() < LARGEST_DISPLACEMENT_M and w.min() > -LARGEST_DISPLACEMENT_M):  # false for NaN
-            raise divergence(w, self.steps * self.time_step_s, self.time_step_s)
+        beyond = ~(np.abs(assemble.membrane(self._buffer, to)) < LARGEST_DISPLACEMENT_M)  # true for NaN
+        if beyond.any():
+            raise diverged(to, self.time_step_s, self.steps - 1, beyond)
         return record
 
     def shape(self) -> tuple[np.ndarray, np.ndarray]:
@@ -63,10 +63,9 @@ class GlidingFold:
             self.seen = self.shape()
 
     def _glide(self, to: assemble.Fold, pressure: np.ndarray, record: np.ndarray, look_at: int) -> None:
-        fixed_to = assemble.new_buffer(to, self.time_step_s)[self._fixed]
-        fixed_from = self._buffer[self._fixed]
-        moving = fixed_from != fixed_to
-        places, origin, way = self._fixed[moving], fixed_from[moving], (fixed_to - fixed_from)[moving]
+        rest_to = assemble.new_buffer(to, self.time_step_s)
+        places = np.flatnonzero(self._rest != rest_to)  # state is 0 in both: what differs is geometry and tissue
+        origin, way = self._rest[places], (rest_to - self._rest)[places]
         scalars_from, scalars_to = self._scalars, assemble.scalars(to, self.time_step_s)
         steps = len(pressure)
         for begin in range(0, steps, STRETCH_STEPS):
@@ -74,7 +73,7 @@ class GlidingFold:
             part = 0.5 * (begin + end) / steps
             self._buffer[places] = origin + part * way
             scalars = scalars_from + part * (scalars_to - scalars_from)
-            self._advance(self._buffer, scalars, pressure[begin:end], 1, record[begin:end])
+            self._advance(self._buffer, scalars, pressure[begin:end], 1, record[begin:end].reshape(-1))
             self._look(end, look_at)
-        self._buffer[self._fixed] = fixed_to
-        self._scalars = scalars_to
+        self._buffer[places] = rest_to[places]
+        self._rest, self._scalars = rest_to, scalars_to

@@ -9,27 +9,25 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfcore.assemble import Fold
 from vfcore.errors import Cancelled
 from vfcore.gesture.contours import contour, level_db, pitch_hz
 from vfcore.gesture.gesture import Gesture
 from vfcore.gesture.voice import BLOCK_S, Block, Voice
-from vfcore.kernels.layout import RECORD
-from vfcore.march import contact_location
 from vfcore.measures.catalogue import MeasureReport, measure_all
-from vfcore.measures.signals import MIN_SAMPLES
+from vfcore.measures.signals import MIN_SAMPLES, Sound
 from vfcore.params import DEFAULT_STEP_S, Simulation
 from vfcore.posture.solution import PostureSolution
-from vfcore.simulate import signals_of
-from vfcore.tissue.coefficients import Coefficients
+from vfcore.simulate import signals_of, waveforms
 
 RATE_HZ = 1.0 / DEFAULT_STEP_S
 
 
 class State(NamedTuple):
-    """Posture and tissue at the end of a block."""
+    """Posture and fold at the end of a block."""
 
     posture: PostureSolution
-    coefficients: Coefficients
+    fold: Fold
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,7 +83,7 @@ def collect(
         if stop is not None and stop():
             raise Cancelled("the run was stopped")
         blocks.append(voice.advance(target))
-        states.append(State(voice.posture, voice.fold.coefficients))
+        states.append(State(voice.posture, voice.fold))
         if progress is not None:
             progress(len(blocks) / count)
     waves = _waves(blocks, voice.fold.nx)
@@ -96,17 +94,9 @@ def collect(
 
 
 def _waves(blocks: list[Block], nx: int) -> dict[str, np.ndarray]:
-    record = np.concatenate([block.record for block in blocks])
-    column = {name: np.ascontiguousarray(record[:, k]) for k, name in enumerate(RECORD)}
-    return {
-        "time_s": np.arange(len(record)) * DEFAULT_STEP_S,
-        "glottal_area_m2": column["glottal_area_m2"],
-        "glottal_flow_m3_s": column["glottal_flow_m3_s"],
+    return waveforms(np.concatenate([block.record for block in blocks]), DEFAULT_STEP_S, nx) | {
         "radiated_pressure_pa": np.concatenate([block.lip_pressure_pa for block in blocks]),
         "far_pressure_pa": np.concatenate([block.far_pressure_pa for block in blocks]),
-        "contact_pressure_max_pa": column["contact_pressure_max_pa"],
-        "contact_location": contact_location(record, nx),
-        "contact_area_m2": column["contact_area_m2"],
     }
 
 
@@ -130,5 +120,6 @@ def _segments(gesture: Gesture, waves: dict[str, np.ndarray], states: list[State
             continue
         state = states[min(len(states), max(1, round(end_s / BLOCK_S))) - 1]
         cut = {name: wave[part] for name, wave in waves.items()}
-        signals = signals_of(gesture.at(end_s), state.posture, state.coefficients, cut, DEFAULT_STEP_S)
-        yield Segment(start_s, end_s, measure_all(signals))
+        signals = signals_of(gesture.at(end_s), state.posture, state.fold, cut, DEFAULT_STEP_S)
+        sound = Sound(cut["radiated_pressure_pa"], cut["far_pressure_pa"])
+        yield Segment(start_s, end_s, measure_all(signals, radiate=lambda sound=sound: sound))

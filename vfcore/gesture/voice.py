@@ -16,7 +16,7 @@ from vfcore.gesture.resample import Resampler
 from vfcore.march import March
 from vfcore.params import DEFAULT_STEP_S, Simulation
 from vfcore.posture.solution import PostureSolution
-from vfcore.simulate import folded, posture_of, prepare
+from vfcore.simulate import fold_of, posture_of, prepare
 from vfcore.stability import longest_stable_step_s
 
 BLOCK_STEPS = 350  # 10 ms at the default step: a whole number of audio samples (480)
@@ -87,7 +87,7 @@ class Voice:
             now.activation, now.posture, now.posturing, now.constants.L_0_m
         )  # fmt: skip
         posture = self.posture if same_posture else posture_of(target)
-        fold = folded(target, posture)
+        fold = fold_of(target, posture)
         self._check(fold)
         return fold, posture
 
