@@ -6,6 +6,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from tempfile import TemporaryDirectory
 
 import httpx
 import uvicorn
@@ -34,7 +35,11 @@ class Live:
 @contextmanager
 def serving(**settings) -> Iterator[Live]:
     """Serve with these settings until the block ends; the kernels are compiled when it begins."""
-    app = create_app(Settings(_env_file=None, **settings))
+    with TemporaryDirectory(prefix="vocalis-jobs-") as folder:
+        yield from _serving(create_app(Settings(_env_file=None, **{"jobs_directory": folder} | settings)))
+
+
+def _serving(app) -> Iterator[Live]:
     config = uvicorn.Config(app, host="127.0.0.1", port=0, log_level="warning", timeout_graceful_shutdown=1)
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run)
