@@ -9,6 +9,7 @@ from starlette.requests import HTTPConnection
 from vfcore.kernels.jit import data_directory
 from vocalis_server.access import Access, access_for, client_of
 from vocalis_server.jobs.archive import Archive
+from vocalis_server.jobs.cluster import DaskCluster
 from vocalis_server.jobs.database import Database
 from vocalis_server.jobs.desk import Desk
 from vocalis_server.jobs.engine import Engine
@@ -17,6 +18,7 @@ from vocalis_server.jobs.folder import Folder
 from vocalis_server.jobs.interactive import Interactive
 from vocalis_server.jobs.ledger import Ledger
 from vocalis_server.jobs.points import PointStore
+from vocalis_server.jobs.retention import Limits, Retention
 from vocalis_server.jobs.store import JobStore
 from vocalis_server.kernels import Kernels
 from vocalis_server.settings import Settings
@@ -32,6 +34,7 @@ class Services:
     folder: Folder
     database: Database
     store: JobStore
+    retention: Retention
     archive: Archive
     events: EventLog
     desk: Desk
@@ -46,7 +49,7 @@ class Services:
         store, points = JobStore(database), PointStore(database)
         archive = Archive(database, folder, settings.result_bytes)
         ledger = Ledger(store, points, archive, events)
-        engine = Engine(settings.workers, ledger, points)
+        engine = Engine(settings.workers, ledger, points, _cluster(settings))
         return cls(
             settings=settings,
             access=access_for(settings.host, token, settings.allowed_hosts, secure=settings.tls_cert is not None),
@@ -54,6 +57,7 @@ class Services:
             folder=folder,
             database=database,
             store=store,
+            retention=Retention(database, archive, folder, _limits(settings)),
             archive=archive,
             events=events,
             desk=Desk(ledger, store, points, archive, engine, settings.jobs_per_client, settings.queue_length),
@@ -67,20 +71,35 @@ class Services:
             self.folder.open()
             self.database.open(self.folder.database)
             self.store.load()
+            self.retention.adopt()
+            self.retention.tidy()
 
     def start(self) -> None:
         """To be called in the event loop that answers."""
         self.open()
         self.events.bind()
         self.kernels.start()
+        self.retention.start()
+        self.desk.engine.start()
         self.desk.resume()
 
     def close(self) -> None:
         """End streams, runs and worker processes."""
         self.events.close()
+        self.retention.close()
         self.desk.engine.close()
         self.database.close()
         self.folder.close()
+
+
+def _cluster(settings: Settings) -> DaskCluster | None:
+    if settings.dask_scheduler_address is None:
+        return None
+    return DaskCluster(settings.dask_scheduler_address, settings.cluster_in_flight)
+
+
+def _limits(settings: Settings) -> Limits:
+    return Limits(settings.jobs_kept, settings.keep_days, settings.stored_bytes, settings.points_kept)
 
 
 def services(connection: HTTPConnection) -> Services:

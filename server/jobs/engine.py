@@ -67,6 +67,11 @@ class Engine:
         self._closing = False
         self._changed = threading.Condition()
 
+    def start(self) -> None:
+        """Connect to the cluster, where there is one."""
+        if self._cluster is not None:
+            self._cluster.start()
+
     def submit(self, work: Work) -> None:
         """Put a single run at the end of the queue."""
         with self._changed:
@@ -164,7 +169,7 @@ class Engine:
                     work = self._queue.popleft()
                     self._running[work.id] = work
                     return work
-                if sweeps and (sweep := self._next_sweep()) is not None:
+                if sweeps and self._has_room() and (sweep := self._next_sweep()) is not None:
                     sweep.tasks_out += 1
                     self._out += 1
                     return sweep
@@ -172,6 +177,9 @@ class Engine:
                 self._changed.wait()
                 self._idle -= runs
             return None
+
+    def _has_room(self) -> bool:
+        return self._cluster is None or self._out < self._cluster.capacity
 
     def _next_sweep(self) -> SweepWork | None:
         asking = [sweep for sweep in self._sweeps.values() if sweep.asked_at != self._turn]
@@ -234,6 +242,8 @@ class Engine:
                 self._out -= 1
                 if found:
                     self._turn += 1
+                    if self._cluster is not None:
+                        self._open_cluster_lanes()
                 else:
                     sweep.asked_at = turn
                 complete = sweep.is_complete and self._sweeps.pop(sweep.id, None) is not None
@@ -245,7 +255,6 @@ class Engine:
         say, sweep = self._listener, task.work
         while not sweep.stop.is_set():
             task.attempts += 1
-            began = time.monotonic()
             try:
                 outcome = lane.run("sweep", (task.part, MODEL_VERSION), lambda _: None, sweep.stop)
             except NoConnection:  # nothing was computed: this is no attempt
@@ -255,7 +264,7 @@ class Engine:
             if isinstance(outcome, Finished):
                 say.keep_results(task, outcome.result.results)
                 say.computed(task, outcome.result.rows)
-                sweep.portions.learn(len(task.positions), time.monotonic() - began)
+                sweep.portions.learn(len(task.positions), outcome.result.seconds)
             elif isinstance(outcome, Failed) and is_about_model(outcome.problem):
                 self._fail(sweep, outcome.problem)
             elif isinstance(outcome, Failed):

@@ -3,7 +3,7 @@
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query, Response
-from fastapi.responses import JSONResponse
+from fastapi.responses import JSONResponse, StreamingResponse
 
 from vfcore.audio import render, to_wav_bytes
 from vfcore.document import result_document
@@ -82,17 +82,34 @@ def audio(job_id: str, shared: Shared, normalize: bool = True) -> Response:
 
 
 @router.get("/result.nc", response_class=Response, responses={200: octets("netCDF-4 with units.", NETCDF)} | _PROBLEMS)
-def netcdf(job_id: str, shared: Shared) -> Response:
-    """Everything in one netCDF-4 file, with units and provenance."""
+def netcdf(job_id: str, shared: Shared, partial: Partial = False) -> Response:
+    """Everything in one netCDF-4 file, with units and provenance; of a sweep one variable per scalar over its axes."""
     from vfcore.files.netcdf import netcdf_bytes  # its library would make every start of the server slower
+    from vfcore.sweep.files import netcdf_bytes as sweep_bytes
 
-    return Response(netcdf_bytes(_simulation(shared, job_id)), headers=_named(job_id, "nc"), media_type=NETCDF)
+    job = shared.desk.job(job_id)
+    if job.kind == "sweep":
+        content = sweep_bytes(shared.desk.table(job, partial))
+    else:
+        content = netcdf_bytes(shared.desk.result(job))
+    return Response(content, headers=_named(job_id, "nc"), media_type=NETCDF)
 
 
-@router.get("/result.csv", response_class=Response, responses={200: octets("One row per measure.", CSV)} | _PROBLEMS)
-def csv(job_id: str, shared: Shared) -> Response:
+@router.get(
+    "/result.csv",
+    response_class=Response,
+    responses={200: octets("One row per measure; of a sweep one row per point.", CSV)} | _PROBLEMS,
+)
+def csv(job_id: str, shared: Shared, partial: Partial = False) -> Response:
     """The measures as a table."""
-    return Response(csv_text(_simulation(shared, job_id)), headers=_named(job_id, "csv"), media_type=CSV)
+    from vfcore.sweep.files import csv_lines
+
+    job = shared.desk.job(job_id)
+    if job.kind == "sweep":
+        return StreamingResponse(
+            csv_lines(shared.desk.table(job, partial)), headers=_named(job_id, "csv"), media_type=CSV
+        )
+    return Response(csv_text(shared.desk.result(job)), headers=_named(job_id, "csv"), media_type=CSV)
 
 
 def _simulation(shared: Services, job_id: str) -> SimulationResult:

@@ -143,9 +143,10 @@ def test_too_many_jobs_are_429_with_the_limit_and_when_to_come_back():
 
 
 def test_results_make_room_for_newer_ones_and_say_so():
-    with serving(result_bytes=2**20) as server, server.client() as client:
+    with serving(result_bytes=2**20, stored_bytes=2**20) as server, server.client() as client:
         first = finish(client, run(client, SHORT))
-        client.post("/simulate", json={"run": {"duration_s": 0.5}})
+        finish(client, run(client, {"run": {"duration_s": 0.5}}))
+        server.services.retention.tidy()
         assert "the same request makes it again" in problem(client.get(f"/jobs/{first['id']}/result"), 410)["detail"]
         again = finish(client, run(client, SHORT))
         assert client.get(f"/jobs/{again['id']}/result").status_code == 200

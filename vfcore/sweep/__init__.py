@@ -11,6 +11,7 @@ No server is needed. ``vfcore.sweep.dataset`` makes an xarray Dataset of a table
 
 from vfcore.sweep.document import sweep_from_dict, sweep_to_dict
 from vfcore.sweep.plan import Axis, Sweep
+from vfcore.sweep.run import run_sweep
 from vfcore.sweep.table import SweepTable
 
-__all__ = ["Axis", "Sweep", "SweepTable", "sweep_from_dict", "sweep_to_dict"]
+__all__ = ["Axis", "Sweep", "SweepTable", "run_sweep", "sweep_from_dict", "sweep_to_dict"]

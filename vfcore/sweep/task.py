@@ -1,5 +1,6 @@
 """One task of a sweep: some of its points, computed in one go by whatever process or machine is given it."""
 
+import time
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -20,10 +21,13 @@ class WrongModel(VocalisError):
 
 
 class TaskResult(NamedTuple):
-    """Rows of the points of a task in their order; whole results by position where the sweep keeps waveforms."""
+    """Rows of the points of a task in their order; whole results by position where the sweep keeps waveforms; and how
+    long that took.
+    """
 
     rows: list[Row]
     results: dict[int, SimulationResult]
+    seconds: float
 
 
 def run_task(part: Sweep, model_version: str, stop: Stop | None = None) -> TaskResult:
@@ -36,6 +40,7 @@ def run_task(part: Sweep, model_version: str, stop: Stop | None = None) -> TaskR
             f"A worker has model {MODEL_VERSION}, the sweep was asked of model {model_version}: "
             "install the same version of Vocalis on both."
         )
+    began = time.perf_counter()
     keys = list(columns(part))
     points: dict[int, Point] = {}
     requests: dict[int, Simulation] = {}
@@ -50,7 +55,8 @@ def run_task(part: Sweep, model_version: str, stop: Stop | None = None) -> TaskR
             points[position] = _whole(request, position, results, stop)
     else:
         points |= zip(requests, run_points(list(requests.values()), stop=stop), strict=True)
-    return TaskResult([row_of(points[position], keys) for position in range(len(part))], results)
+    rows = [row_of(points[position], keys) for position in range(len(part))]
+    return TaskResult(rows, results, time.perf_counter() - began)
 
 
 def _whole(request: Simulation, position: int, results: dict[int, SimulationResult], stop: Stop | None) -> Point:
