@@ -34,6 +34,7 @@ class Services:
     folder: Folder
     database: Database
     store: JobStore
+    points: PointStore
     retention: Retention
     archive: Archive
     events: EventLog
@@ -57,6 +58,7 @@ class Services:
             folder=folder,
             database=database,
             store=store,
+            points=points,
             retention=Retention(database, archive, folder, _limits(settings)),
             archive=archive,
             events=events,

@@ -252,13 +252,23 @@ class Engine:
                 self._listener.finished(sweep.id, None)
 
     def _run_task(self, lane: Lane, task: Task) -> None:
+        """Have a task computed and stored; after the death of its worker point by point."""
+        if (died := self._attempt(lane, task)) is None:
+            return
+        for single in task.singles() if len(task.positions) > 1 else [task]:
+            if task.work.stop.is_set():
+                return
+            if (died := self._attempt(lane, single)) is not None:
+                self._listener.gave_up(
+                    single, f"The worker process ended while it computed this point, with exit code {died.exit_code}."
+                )
+
+    def _attempt(self, lane: Lane, task: Task) -> Died | None:
         say, sweep = self._listener, task.work
         while not sweep.stop.is_set():
-            task.attempts += 1
             try:
                 outcome = lane.run("sweep", (task.part, MODEL_VERSION), lambda _: None, sweep.stop)
             except NoConnection:  # nothing was computed: this is no attempt
-                task.attempts -= 1
                 sweep.stop.wait(RECONNECT_S)
                 continue
             if isinstance(outcome, Finished):
@@ -269,11 +279,10 @@ class Engine:
                 self._fail(sweep, outcome.problem)
             elif isinstance(outcome, Failed):
                 say.gave_up(task, outcome.problem["detail"])
-            elif isinstance(outcome, Died) and not sweep.stop.is_set():
-                if task.attempts < ATTEMPTS:
-                    continue
-                say.gave_up(task, f"The worker process ended twice, with exit code {outcome.exit_code}.")
-            return
+            elif isinstance(outcome, Died):
+                return outcome
+            break
+        return None
 
     def _fail(self, sweep: SweepWork, problem: dict[str, Any]) -> None:
         sweep.stop.set()

@@ -18,7 +18,12 @@ class Task:
 
     def __init__(self, work: "SweepWork", positions: list[int], addresses: list[str]):
         self.work, self.positions, self.addresses = work, positions, addresses
-        self.attempts = 0
+
+    def singles(self) -> "list[Task]":
+        """The same points, one task each."""
+        return [
+            Task(self.work, [position], [key]) for position, key in zip(self.positions, self.addresses, strict=True)
+        ]
 
     @property
     def part(self) -> Sweep:

@@ -10,7 +10,7 @@ TASK_S = (0.2, 1.0)  # a task is worth its round trip, and its loss or a stop co
 TASKS_PER_WORKER = 8  # at least so many, so that all workers end together
 MOST_PER_TASK = 512
 LANES = 8  # points a batch kernel takes at a time
-_GUESS_S = 2e-9  # per node and step, before anything was measured
+_GUESS_S = 1e-8  # per node and step, before anything was measured: first tasks are rather short than long
 _OVERHEAD_S = 2e-3  # per point: posture, coefficients, measures
 
 
@@ -54,7 +54,6 @@ class Portions:
     def __init__(self, sweep: Sweep, workers: int):
         self._points, self.workers = len(sweep), workers
         self._point_s = _OVERHEAD_S + _GUESS_S * point_node_steps(sweep)
-        self._learned = False
         self._lock = threading.Lock()
 
     def next_size(self) -> int:
@@ -68,7 +67,4 @@ class Portions:
     def learn(self, points: int, seconds: float) -> None:
         """A task of so many points took so long. The first one may have compiled kernels: later ones correct it."""
         with self._lock:
-            measured = max(seconds / points, 1e-5)
-            share = 0.5 if self._learned else 0.2
-            self._point_s += share * (measured - self._point_s)
-            self._learned = True
+            self._point_s += 0.5 * (max(seconds / points, 1e-5) - self._point_s)

@@ -74,7 +74,7 @@ def document_with_numbers(document: dict[str, Any], values: Mapping[str, float],
             changed[name] = value
             continue
         if part not in copied:
-            changed[part] = dict(document[part] or _POSTURE)
+            changed[part] = dict(_POSTURE if document[part] is None else document[part])
             copied.add(part)
         if part == "constants" and value == default.constant(name):
             changed[part].pop(name, None)

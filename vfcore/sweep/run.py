@@ -18,6 +18,7 @@ from vfcore.version import MODEL_VERSION
 
 IN_FLIGHT = 2  # tasks per worker: one computes, one waits beside it
 ATTEMPTS = 2  # a worker may die once under a task
+ENDED_TWICE = "The worker process ended while it computed this point, twice."
 _LISTEN_S = 0.2
 
 Progress = Callable[[int, int, int], None]
@@ -42,8 +43,8 @@ def run_sweep(
 
     ``workers``: processes, as many as cores for None; 1 computes in this one. ``executor`` computes instead where it
     is given (``distributed.Client(…).get_executor()``), ``workers`` tasks at a time. ``progress(done, failed, total)``
-    is called after every task. A worker that dies is replaced and its task tried once more; then its points carry the
-    reason. Raises Cancelled once ``stop()`` is true; what was computed is in the journal.
+    is called after every task. A worker that dies is replaced and its task tried once more, point by point; one that
+    ends it again carries the reason. Raises Cancelled once ``stop()`` is true; what was computed is in the journal.
     """
     workers = workers or os.cpu_count() or 1
     run = _Run(sweep, workers, journal, progress or (lambda *_: None), stop or (lambda: False))
@@ -132,12 +133,11 @@ class _Run:
 
     def _suspect(self, tasks: list[_Task]) -> None:
         for task in tasks:
-            if task.attempts < ATTEMPTS:
-                self._suspects.append(task)
+            if task.attempts < ATTEMPTS:  # point by point, so that only the one that did it is lost
+                self._suspects.extend(_Task([position], task.attempts) for position in task.positions)
                 continue
-            reason = f"The worker process ended while it computed these {len(task.positions)} points, twice."
-            rows = [failed_row(reason, len(self.table.columns)) for _ in task.positions]
-            self.table.fill(zip(task.positions, rows, strict=True))  # not to the journal: it was no answer
+            row = failed_row(ENDED_TWICE, len(self.table.columns))
+            self.table.fill((position, row) for position in task.positions)  # not to the journal: it was no answer
             self._say()
 
     def _keep(self, task: _Task, result: TaskResult) -> None:

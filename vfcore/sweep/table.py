@@ -89,6 +89,8 @@ class SweepTable:
         ``measures``: which of the columns, all of them for None.
         """
         keys = list(self.columns) if measures is None else list(measures)
+        for key in keys:
+            self._column(key)
         sweep = self.sweep
         return {
             "kind": "sweep",
