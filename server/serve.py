@@ -42,7 +42,8 @@ def serve(
     try:
         app.state.services.open()
     except (OSError, StorageUnusable, SQLAlchemyError) as error:
-        sys.exit(f"vocalis: the folder of jobs cannot be used: {error}; name another one in VOCALIS_JOBS_DIRECTORY")
+        why = getattr(error, "orig", None) or error
+        sys.exit(f"vocalis: the folder of jobs cannot be used: {why}; name another one in VOCALIS_JOBS_DIRECTORY")
     config = uvicorn.Config(
         app,
         log_config=None,

@@ -11,6 +11,7 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
+from vfcore.errors import VocalisError
 from vfcore.version import MODEL_VERSION
 from vocalis_server.jobs.lane import Cluster, Died, Failed, Finished, Lane, NoConnection
 from vocalis_server.jobs.points import PointStore
@@ -232,7 +233,8 @@ class Engine:
                 self._run_task(lane, task)
         except Exception as error:
             if not sweep.stop.is_set():
-                log.exception("sweep %s failed in the server", sweep.id)
+                if not isinstance(error, VocalisError):
+                    log.exception("sweep %s failed in the server", sweep.id)
                 self._fail(sweep, problem_of(error))
         finally:
             if task is not None:

@@ -122,9 +122,15 @@ class Ledger:
     @contextmanager
     def _counted(self, task: Task, failed: int) -> Iterator[list[Job]]:
         """The jobs that wait for a task with its points counted in, to be stored in the block."""
+        work, size = task.work, len(task.positions)
         with self.lock:
-            task.work.account(len(task.positions), failed)
-            yield self._count(task.work)
+            work.account(size, failed)
+            try:
+                yield self._count(work)
+            except BaseException:  # not stored: not done
+                work.account(-size, -failed)
+                self._count(work)
+                raise
 
     def _count(self, work: SweepWork) -> list[Job]:
         jobs = self._store.handles(work.id)

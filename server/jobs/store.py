@@ -34,6 +34,7 @@ class JobStore:
     def __init__(self, database: Database):
         self._database = database
         self._active: dict[str, Job] = {}
+        self._unsaved: dict[str, Job] = {}  # over, but the disk was full
 
     def load(self) -> None:
         """Read what a server before this one left unfinished."""
@@ -52,17 +53,18 @@ class JobStore:
         self._keep_in_mind(job)
 
     def save(self, job: Job) -> None:
-        """Keep a change of a job. In memory it has happened even when the disk is full."""
+        """Keep a change of a job, and what could not be kept before. In memory it has happened even on a full disk."""
         self._keep_in_mind(job)
         with self._database.write() as connection:
-            save_jobs(connection, [job])
+            save_jobs(connection, [job, *self._unsaved.values()])
+        self._unsaved.clear()
 
     def active(self) -> list[Job]:
         """Unfinished jobs, oldest first."""
         return list(self._active.values())
 
     def get(self, job_id: str) -> Job | None:
-        return self._active.get(job_id) or self._first(JOBS.c.id == job_id)
+        return self._in_mind(job_id) or self._first(JOBS.c.id == job_id)
 
     def handles(self, work_id: str) -> list[Job]:
         """Unfinished jobs that wait for one computation."""
@@ -95,7 +97,7 @@ class JobStore:
             wanted = wanted.where(JOBS.c.sequence < before)
         with self._database.read() as connection:
             rows = connection.execute(wanted.order_by(JOBS.c.sequence.desc()).limit(limit + 1)).all()
-        jobs = [self._active.get(row.id) or _job(row) for row in rows]
+        jobs = [self._in_mind(row.id) or _job(row) for row in rows]
         return jobs[:limit], len(jobs) > limit
 
     def count_active(self, client: str) -> int:
@@ -123,6 +125,10 @@ class JobStore:
             self._active[job.id] = job
         else:
             self._active.pop(job.id, None)
+            self._unsaved[job.id] = job
+
+    def _in_mind(self, job_id: str) -> Job | None:
+        return self._active.get(job_id) or self._unsaved.get(job_id)
 
 
 def save_jobs(connection: Connection, jobs: Iterable[Job]) -> None:
