@@ -63,7 +63,7 @@ def wait_until(condition, seconds: float = 20) -> None:
         time.sleep(0.02)
 
 
-def finish(client: httpx.Client, job: dict, seconds: float = 30) -> dict:
+def finish(client: httpx.Client, job: dict, seconds: float = 60) -> dict:
     """The job once it is finished, however it ended."""
     wait_until(lambda: client.get(f"/jobs/{job['id']}").json()["finished"] is not None, seconds)
     return client.get(f"/jobs/{job['id']}").json()

@@ -44,6 +44,7 @@ CT = {"parameter": "activation.ct", "values": [0, 0.5, 1]}
         ({"axes": [CT], "keep_waveforms": 1}, "keep_waveforms"),
         ({"axes": [CT], "keep": 1}, "keep"),
         ({"axes": [CT], "kind": "simulation"}, "kind"),
+        ({"axes": [CT], "keep_waveforms": True, "precision": "float32"}, "precision"),
         ({"points": [{}] * 501, "keep_waveforms": True}, "keep_waveforms"),
     ],
 )  # fmt: skip

@@ -145,10 +145,10 @@ if __name__ == "__main__":
     print(table.n_failed, sorted(table.problems), table.problems.get(3))
 else:
     true = task.run_points
-    def deadly(requests, stop=None):
+    def deadly(requests, *how, **asked):
         if any(request.activation.ct == 3 / 16 for request in requests):
             os._exit(7)
-        return true(requests, stop=stop)
+        return true(requests, *how, **asked)
     task.run_points = deadly
 """
 

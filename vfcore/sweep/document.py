@@ -45,6 +45,8 @@ def sweep_from_dict(document: Mapping[str, Any]) -> Sweep:
     )
     if len(sweep) > MOST_POINTS:
         raise ParameterError("axes", f"{len(sweep)} points are too many", f"up to {MOST_POINTS:g} points")
+    if sweep.keep_waveforms and sweep.precision != "float64":
+        raise ParameterError("precision", "and keep_waveforms do not go together", "float64, or no waveforms")
     if sweep.keep_waveforms and len(sweep) > MOST_WITH_WAVEFORMS:
         raise ParameterError(
             "keep_waveforms", f"{len(sweep)} points are too many to keep the waveforms of",

@@ -54,7 +54,8 @@ def run_task(part: Sweep, model_version: str, stop: Stop | None = None) -> TaskR
         for position, request in requests.items():
             points[position] = _whole(request, position, results, stop)
     else:
-        points |= zip(requests, run_points(list(requests.values()), stop=stop), strict=True)
+        asked = {"measures": part.measures, "precision": part.precision}
+        points |= zip(requests, run_points(list(requests.values()), stop, **asked), strict=True)
     rows = [row_of(points[position], keys) for position in range(len(part))]
     return TaskResult(rows, results, time.perf_counter() - began)
 
