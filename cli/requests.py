@@ -22,7 +22,7 @@ def request_document(
     if preset is not None:
         document = _merged(document, _preset(preset))
     if path is not None:
-        document = _merged(document, _read(path))
+        document = _merged(document, read_document("--request", path))
     for key, value in changes.items():
         _put(document, key, value)
     for setting in settings:
@@ -40,19 +40,20 @@ def _preset(name: str) -> dict[str, Any]:
     raise ParameterError("--preset", f"{name!r} is not known", " | ".join(preset.key for preset in PRESETS))
 
 
-def _read(path: str) -> dict[str, Any]:
+def read_document(option: str, path: str) -> dict[str, Any]:
+    """The JSON object in a file, or on standard input for ``-``; ParameterError of ``option``."""
     allowed = "a readable file with a request document in JSON, or - for standard input"
     try:
         text = sys.stdin.read() if path == "-" else Path(path).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-        raise ParameterError("--request", f"{path}: {reason}", allowed) from error
+        raise ParameterError(option, f"{path}: {reason}", allowed) from error
     try:
         document = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise ParameterError("--request", f"{path}: not JSON ({error})", allowed) from error
+        raise ParameterError(option, f"{path}: not JSON ({error})", allowed) from error
     if not isinstance(document, dict):
-        raise ParameterError("--request", f"{path}: a JSON {type(document).__name__}, not an object", allowed)
+        raise ParameterError(option, f"{path}: a JSON {type(document).__name__}, not an object", allowed)
     return document
 
 

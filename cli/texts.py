@@ -10,6 +10,7 @@ COMMANDS = {
     "static": "The shape of the folds at that posture without air pressure, and how they close.",
     "simulate": "Let them vibrate: measures, waveforms, sound.",
     "gesture": "Let the muscles move while they vibrate: glides, onsets, contours.",
+    "sweep": "The same over one to three parameters: a table of measures, as netCDF or CSV.",
     "serve": "The dashboard and the HTTP API on this machine.",
     "paper": "What the paper claims, each claim tested and scored.",
     "bench": "How fast it all runs on this machine.",
@@ -32,6 +33,7 @@ EPILOG = """
 - `vocalis static --ta 0.6` — where they touch before any air flows
 - `vocalis simulate --preset breathy --wav breathy.wav` — hear it
 - `vocalis simulate --pressure 800 --vowel i --json > result.json` — every measure, for a script
+- `vocalis sweep --axis activation.ct=0:1:21 --axis activation.ta=0:1:21 --netcdf map.nc` — a map over two muscles
 - `vocalis simulate --set constants.K_col_pa_m=2e6` — any constant of the model
 
 Exit codes: 0 done, 1 the model has no answer there, 2 the input cannot be used.

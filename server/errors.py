@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+from collections.abc import Sequence
 from http import HTTPStatus
 from typing import Any
 
@@ -14,9 +15,11 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from vfcore.errors import ParameterError, VocalisError
 from vocalis_server.problems import MEDIA_TYPE, TABLE, Kind, NotReady, document, kind_of, problem_of
 from vocalis_server.request_schema import OFFERED_KINDS, allowed_at, known_beside
+from vocalis_server.sweep_schema import TAGS
 
 log = logging.getLogger("vocalis")
 LONGEST_ECHO = 60
+_UNION_MEMBERS = ("function-wrap", "str", "list[str]", "list[constrained-str]")
 
 
 class StreamOver(Exception):
@@ -111,13 +114,19 @@ def _field(item: dict[str, Any]) -> dict[str, str]:
     if kind == "json_invalid":
         return {"path": "body", "message": f"is not JSON: {limits['error']}", "allowed": "a JSON object"}
     if kind == "kind_not_offered":
-        return {"path": "kind", "message": item["msg"], "allowed": " | ".join(OFFERED_KINDS)}
-    path = ".".join(str(part) for part in rest) or str(where)
+        return {"path": _path([*rest, "kind"]), "message": item["msg"], "allowed": " | ".join(OFFERED_KINDS)}
+    path = _path(rest) or str(where)
     if kind == "extra_forbidden":
         return {"path": path, "message": "is not a known field", "allowed": known_beside(path)}
     allowed = (allowed_at(path) if where == "body" else None) or limits.get("expected") or item["msg"]
     message = "is missing" if kind == "missing" else f"{_echo(item['input'])} cannot be used"
     return {"path": path, "message": message, "allowed": str(allowed)}
+
+
+def _path(parts: Sequence[int | str]) -> str:
+    """Dotted, without what pydantic adds to say which member of a union it means."""
+    tagged = parts and parts[0] in TAGS
+    return ".".join(str(part) for part in parts[1 if tagged else 0 :] if part not in _UNION_MEMBERS)
 
 
 def _echo(value: Any) -> str:

@@ -10,7 +10,9 @@ from vfcore.errors import (
     StaticShapeError,
     VocalisError,
 )
+from vfcore.sweep.task import WrongModel
 from vocalis_server.jobs import model
+from vocalis_server.jobs.database import StorageFull, StorageUnusable
 from vocalis_server.jobs.interactive import ClientLeft, Overtaken
 
 MEDIA_TYPE = "application/problem+json"
@@ -72,10 +74,14 @@ TABLE: dict[type[Exception], Kind] = {
     TooMany: Kind(429, "limit-reached", "A limit is reached"),
     NotReady: Kind(503, "not-ready", "Not ready yet"),
     model.NoSuchJob: Kind(404, "no-such-job", "No such job"),
+    model.WrongKind: Kind(404, "no-such-part", "No such part"),
     model.NotFinished: Kind(409, "no-result", "There is no result"),
     model.ResultGone: Kind(410, "result-gone", "The result is no longer kept"),
     model.QueueFull: Kind(429, "limit-reached", "A limit is reached"),
     model.WorkerDied: Kind(500, "worker-died", "The worker process died"),
+    WrongModel: Kind(503, "wrong-model", "A worker has another version of the model"),
+    StorageFull: Kind(507, "storage-full", "There is no room left"),
+    StorageUnusable: Kind(500, "storage-unusable", "The folder of jobs cannot be used"),
     Overtaken: Kind(503, "overtaken", "Newer calls came first"),
     ClientLeft: Kind(503, "client-left", "Nobody waits for the answer"),
 }
@@ -85,6 +91,11 @@ OTHER = Kind(500, "internal", "Something went wrong in Vocalis")
 def kind_of(error: Exception) -> Kind:
     """The row for an exception; OTHER when nobody foresaw it."""
     return next((TABLE[cls] for cls in type(error).__mro__ if cls in TABLE), OTHER)
+
+
+def is_about_model(problem: dict[str, Any]) -> bool:
+    """Whether a problem document says that a worker has another version of the model."""
+    return problem["type"] == document(TABLE[WrongModel], "")["type"]
 
 
 def document(kind: Kind, detail: str, errors: list[dict[str, Any]] | None = None) -> dict[str, Any]:

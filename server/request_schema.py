@@ -88,9 +88,9 @@ class _Kind(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _offered(cls, document: Any) -> Any:
-        """A kind that is known but not offered gets a sentence of its own, and no list of unknown keys."""
+        """A kind that belongs elsewhere gets a sentence of its own, and no list of unknown keys."""
         if isinstance(document, dict) and document.get("kind") == "sweep":
-            raise PydanticCustomError("kind_not_offered", "sweeps are not offered by this version, only simulations")
+            raise PydanticCustomError("kind_not_offered", "a sweep is a job; here stands one simulation")
         return document
 
 
@@ -131,6 +131,7 @@ def simulation_of(body: BaseModel) -> Simulation:
 
 def allowed_at(path: str) -> str | None:
     """What a field of a body takes, in words; None when there is no such field."""
+    path = path.removeprefix("base.")
     if path in _OBJECTS:
         return f"an object with {', '.join(sorted(_OBJECTS[path].model_fields))}"
     if (row := ROWS.get(path)) is None:
@@ -145,7 +146,7 @@ def allowed_at(path: str) -> str | None:
 
 def known_beside(path: str) -> str:
     """The names that are known where an unknown one stood."""
-    parent, _, _ = path.rpartition(".")
+    parent, _, _ = path.removeprefix("base.").rpartition(".")
     if parent == "constants":
         return "the constants listed by GET /api/v1/parameters"
     names = _OBJECTS[parent].model_fields if parent in _OBJECTS else SimulationBody.model_fields

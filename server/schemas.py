@@ -149,6 +149,48 @@ class Result(BaseModel):
     provenance: dict[str, Any]
 
 
+class SweepAxis(BaseModel):
+    name: str
+    parameters: list[str]
+    label: str
+    unit: str
+    values: list[float]
+
+
+class MissingReason(BaseModel):
+    reason: str
+    points: list[int] = Field(description="positions in C order of the shape")
+
+
+class MeasureTable(BaseModel):
+    unit: str
+    symbol: str
+    label: str
+    values: list[float | None] = Field(description="in C order of the shape")
+    reasons: list[MissingReason] = Field(description="why points that phonate or not have no value")
+
+
+class PointProblem(BaseModel):
+    index: int
+    detail: str
+
+
+class SweepResult(BaseModel):
+    """Scalars of every point of a sweep; lists run in C order of ``shape``."""
+
+    kind: Literal["sweep"]
+    shape: list[int]
+    n_total: int
+    n_done: int
+    n_failed: int
+    axes: list[SweepAxis]
+    points: list[dict[str, float]] | None = Field(description="numbers of each point, where there are no axes")
+    phonation_state: list[Literal["none", "periodic", "subharmonic", "irregular"] | None]
+    measures: dict[str, MeasureTable]
+    problems: list[PointProblem] = Field(description="points without an answer, and why")
+    pending: list[int] = Field(description="points not computed yet")
+
+
 class SimulateAnswer(Result):
     id: str = Field(description="address of the result, as for a job")
     links: dict[str, str]

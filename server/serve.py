@@ -9,9 +9,11 @@ from typing import Any
 
 import uvicorn
 from pydantic import ValidationError
+from sqlalchemy.exc import SQLAlchemyError
 
 from vocalis_server.access import is_loopback
 from vocalis_server.app import create_app
+from vocalis_server.jobs.database import StorageUnusable
 from vocalis_server.services import Services
 from vocalis_server.settings import Settings
 
@@ -37,6 +39,11 @@ def serve(
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
     listener = _listen(settings.host, settings.port)
     app = create_app(settings)
+    try:
+        app.state.services.open()
+    except (OSError, StorageUnusable, SQLAlchemyError) as error:
+        why = getattr(error, "orig", None) or error
+        sys.exit(f"vocalis: the folder of jobs cannot be used: {why}; name another one in VOCALIS_JOBS_DIRECTORY")
     config = uvicorn.Config(
         app,
         log_config=None,
@@ -84,6 +91,9 @@ class _Server(uvicorn.Server):
 
 def _greet(services: Services, address: str) -> None:
     print(f"Vocalis: {address} (Ctrl-C stops it)", flush=True)
+    if services.folder.number > 1:
+        where = services.folder.path
+        print(f"Another server runs the jobs of this folder; this one keeps its own in {where}", flush=True)
     settings, token = services.settings, services.access.token
     if token is not None and settings.token is None:
         # After the #, so that no browser sends it and no log keeps it.

@@ -6,12 +6,20 @@ from typing import Annotated
 from fastapi import Depends
 from starlette.requests import HTTPConnection
 
+from vfcore.kernels.jit import data_directory
 from vocalis_server.access import Access, access_for, client_of
 from vocalis_server.gestures import GestureCache
+from vocalis_server.jobs.archive import Archive
+from vocalis_server.jobs.cluster import DaskCluster
+from vocalis_server.jobs.database import Database
 from vocalis_server.jobs.desk import Desk
+from vocalis_server.jobs.engine import Engine
 from vocalis_server.jobs.events import EventLog
+from vocalis_server.jobs.folder import Folder
 from vocalis_server.jobs.interactive import Interactive
-from vocalis_server.jobs.results import ResultCache
+from vocalis_server.jobs.ledger import Ledger
+from vocalis_server.jobs.points import PointStore
+from vocalis_server.jobs.retention import Limits, Retention
 from vocalis_server.jobs.store import JobStore
 from vocalis_server.kernels import Kernels
 from vocalis_server.live.host import Host
@@ -25,7 +33,12 @@ class Services:
     settings: Settings
     access: Access
     kernels: Kernels
-    results: ResultCache
+    folder: Folder
+    database: Database
+    store: JobStore
+    points: PointStore
+    retention: Retention
+    archive: Archive
     events: EventLog
     desk: Desk
     postures: Interactive
@@ -36,31 +49,66 @@ class Services:
     @classmethod
     def of(cls, settings: Settings) -> "Services":
         token = settings.token.get_secret_value() if settings.token else None
-        results, events = ResultCache(settings.result_bytes), EventLog()
-        store = JobStore(settings.jobs_kept)
+        folder = Folder(settings.jobs_directory or data_directory() / "jobs")
+        database, events = Database(), EventLog()
+        store, points = JobStore(database), PointStore(database)
+        archive = Archive(database, folder, settings.result_bytes)
+        ledger = Ledger(store, points, archive, events)
+        engine = Engine(settings.workers, ledger, points, _cluster(settings))
         return cls(
             settings=settings,
             access=access_for(settings.host, token, settings.allowed_hosts, secure=settings.tls_cert is not None),
             kernels=Kernels(),
-            results=results,
+            folder=folder,
+            database=database,
+            store=store,
+            points=points,
+            retention=Retention(database, archive, folder, _limits(settings)),
+            archive=archive,
             events=events,
-            desk=Desk(results, events, store, settings.workers, settings.jobs_per_client, settings.queue_length),
+            desk=Desk(ledger, store, points, archive, engine, settings.jobs_per_client, settings.queue_length),
             postures=Interactive(1, settings.interactive_waiting, "posture"),
             runs=Interactive(settings.interactive_slots, settings.interactive_waiting, "run"),
             voices=Host(settings.live_voices),
             gestures=GestureCache(),
         )
 
+    def open(self) -> None:
+        """Take the folder with the jobs. OSError or StorageUnusable where that cannot be."""
+        if self.folder.number == 0:
+            self.folder.open()
+            self.database.open(self.folder.database)
+            self.store.load()
+            self.retention.adopt()
+            self.retention.tidy()
+
     def start(self) -> None:
         """To be called in the event loop that answers."""
+        self.open()
         self.events.bind()
         self.kernels.start()
+        self.retention.start()
+        self.desk.engine.start()
+        self.desk.resume()
 
     def close(self) -> None:
         """End streams, runs and worker processes."""
         self.events.close()
+        self.retention.close()
         self.desk.engine.close()
         self.voices.close()
+        self.database.close()
+        self.folder.close()
+
+
+def _cluster(settings: Settings) -> DaskCluster | None:
+    if settings.dask_scheduler_address is None:
+        return None
+    return DaskCluster(settings.dask_scheduler_address, settings.cluster_in_flight)
+
+
+def _limits(settings: Settings) -> Limits:
+    return Limits(settings.jobs_kept, settings.keep_days, settings.stored_bytes, settings.points_kept)
 
 
 def services(connection: HTTPConnection) -> Services:

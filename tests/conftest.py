@@ -2,10 +2,14 @@
 inside property tests: a first example may compile a kernel."""
 
 import os
+import tempfile
 from pathlib import Path
 
 from hypothesis import settings
 
 os.environ.setdefault("VOCALIS_DATA", str(Path(__file__).resolve().parent.parent / ".pytest_cache" / "vocalis"))
+# Servers of the tests leave no jobs to those of the next run.
+_JOBS = tempfile.TemporaryDirectory(prefix="vocalis-jobs-")
+os.environ["VOCALIS_JOBS_DIRECTORY"] = str(Path(_JOBS.name) / "jobs")
 settings.register_profile("vocalis", deadline=None)
 settings.load_profile("vocalis")

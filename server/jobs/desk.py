@@ -4,16 +4,19 @@ A job is one client's handle on shared, content-addressed work. Work stops only 
 """
 
 import threading
-from datetime import UTC, datetime
 from typing import Any
 from uuid import uuid4
 
+from vfcore.content import canonical, content_hash
 from vfcore.errors import ParameterError
 from vfcore.result import SimulationResult
-from vocalis_server.jobs.content import canonical, content_hash
+from vfcore.sweep.document import sweep_from_dict
+from vfcore.sweep.table import SweepTable
+from vocalis_server.jobs.archive import Archive
 from vocalis_server.jobs.document import job_document
 from vocalis_server.jobs.engine import Engine, Work
-from vocalis_server.jobs.events import DONE, PROGRESS, Event, EventLog
+from vocalis_server.jobs.events import DONE, PROGRESS, Event
+from vocalis_server.jobs.ledger import Ledger, now
 from vocalis_server.jobs.model import (
     ACTIVE,
     Job,
@@ -22,43 +25,56 @@ from vocalis_server.jobs.model import (
     QueueFull,
     ResultGone,
     Status,
-    WorkerDied,
+    WrongKind,
 )
-from vocalis_server.jobs.results import ResultCache
+from vocalis_server.jobs.points import PointStore
 from vocalis_server.jobs.store import JobStore, KeyUse
-from vocalis_server.problems import problem_of
+from vocalis_server.jobs.sweep_work import SweepWork
 
 
 class Desk:
     """Thread-safe. ``per_client`` and ``queue_length`` bound the unfinished jobs."""
 
     def __init__(
-        self,
-        results: ResultCache,
-        events: EventLog,
-        store: JobStore,
-        workers: int,
-        per_client: int,
-        queue_length: int,
-    ):
-        self._results, self._events, self._store = results, events, store
+        self, ledger: Ledger, store: JobStore, points: PointStore, archive: Archive, engine: Engine,
+        per_client: int, queue_length: int,
+    ):  # fmt: skip
+        self._ledger, self._store, self._points, self._archive = ledger, store, points, archive
         self._per_client, self._queue_length = per_client, queue_length
-        self._lock = threading.RLock()
-        self.engine = Engine(workers, self)
+        self._lock: threading.RLock = ledger.lock
+        self.engine = engine
 
-    def submit(self, client: str, request: dict[str, Any], fresh: bool = False, key: str | None = None) -> Job:
+    def resume(self) -> None:
+        """Go on with the jobs a server before this one left unfinished: each computation once."""
+        with self._lock:
+            begun: set[str] = set()
+            for job in self._store.active():
+                if job.status is Status.RUNNING:
+                    job.move(Status.ACCEPTED)
+                    self._store.save(job)
+                if job.work_id in begun:
+                    continue
+                begun.add(job.work_id)
+                if job.kind == "simulation" and not job.fresh and self._archive.is_kept(job.content):
+                    self._ledger.finished(job.work_id, None)
+                else:
+                    self._begin(job)
+
+    def submit(
+        self, client: str, request: dict[str, Any], fresh: bool = False, key: str | None = None, n_total: int = 1
+    ) -> Job:
         """A job for a canonical request: the one this client already has, or a new one.
 
-        Raises QueueFull at a limit, ParameterError when the Idempotency-Key was used for another request.
+        Raises QueueFull at a limit, StorageFull, ParameterError when the Idempotency-Key was used for another request.
         """
         content = content_hash(request)
         with self._lock:
             if key is not None and (known := self._recall(client, key, content)) is not None:
                 return known
-            result = None if fresh else self._results.get(content)
-            job = None if fresh else self._same(client, content, result is not None)
+            job = None if fresh else self._same(client, request["kind"], content)
             if job is None:
-                job = self._new(client, request, content, result, fresh)
+                return self._new(Job(uuid4().hex, client, request["kind"], request, content, uuid4().hex, now(),
+                                     n_total=n_total, fresh=fresh), key)  # fmt: skip
             if key is not None:
                 self._store.remember(client, key, KeyUse(content, job.id))
             return job
@@ -68,7 +84,7 @@ class Desk:
         with self._lock:
             if (job := self._store.get(job_id)) is not None:
                 return job
-        if (result := self._results.get(job_id)) is not None:
+        if (result := self._archive.get(job_id)) is not None:
             made = result.provenance.created
             return Job(
                 job_id, "", "simulation", canonical(result.request), job_id, job_id, made,
@@ -83,15 +99,23 @@ class Desk:
         with self._lock:
             return self._store.page(client, status, kind, limit, before)
 
-    def result(self, job_id: str) -> SimulationResult:
-        """The result of a finished job; NoSuchJob, NotFinished or ResultGone."""
-        job = self.job(job_id)
-        if job.status is not Status.SUCCESSFUL:
-            why = f": {job.problem['detail']}" if job.problem else "."
-            raise NotFinished(f"The job is {job.status}{why}")
-        if (result := self._results.get(job.content)) is None:
+    def result(self, job: Job) -> SimulationResult:
+        """The result of a finished simulation; WrongKind, NotFinished or ResultGone."""
+        if job.kind != "simulation":
+            raise WrongKind(
+                "A sweep has its scalars at /result, result.nc and result.csv; arrays and sound are those of one run."
+            )
+        _check_finished(job)
+        if (result := self._archive.get(job.content)) is None:
             raise ResultGone("The result made room for newer ones; the same request makes it again.")
         return result
+
+    def table(self, job: Job, partial: bool = False) -> SweepTable:
+        """The table of a sweep: of a finished one, or with ``partial`` what there is. NotFinished."""
+        if not partial or job.status not in ACTIVE:
+            _check_finished(job)
+        table = SweepTable(sweep_from_dict(job.request))
+        return table.fill(self._points.rows(job.work_id, len(table.columns)))
 
     def dismiss(self, job_id: str) -> Job:
         """Let go of a job; its work stops when nobody else waits for it. Doing it again changes nothing."""
@@ -101,7 +125,7 @@ class Desk:
                 raise NoSuchJob(f"There is no job with the id {job_id!r}.")
             if job.status is not Status.DISMISSED:
                 was_active = job.status in ACTIVE
-                self._end(job, Status.DISMISSED)
+                self._ledger.end(job, Status.DISMISSED)
                 if was_active and not self._store.handles(job.work_id):
                     self.engine.stop(job.work_id)
             return job
@@ -112,48 +136,11 @@ class Desk:
             if job_id is not None:
                 jobs = [self.job(job_id)]
             else:
-                newest, _ = self._store.page(client, None, None, self._per_client * 2, None)
-                jobs = [job for job in newest if job.status in ACTIVE]
+                jobs = [job for job in self._store.active() if job.client == client]
             return [
-                Event("", PROGRESS if job.status in ACTIVE else DONE, client, job.id, job_document(job)) for job in jobs
+                Event("", PROGRESS if job.status in ACTIVE else DONE, client, job.id, job_document(job, brief=True))
+                for job in jobs
             ]
-
-    # What the engine says, from its threads.
-
-    def started(self, work_id: str) -> None:
-        with self._lock:
-            for job in self._store.handles(work_id):
-                job.move(Status.RUNNING)
-                job.started = job.started or _now()
-                self._say(job)
-
-    def progressed(self, work_id: str, fraction: float) -> None:
-        with self._lock:
-            for job in self._store.handles(work_id):
-                job.progress = fraction
-                self._say(job)
-
-    def retried(self, work_id: str) -> None:
-        with self._lock:
-            for job in self._store.handles(work_id):
-                job.move(Status.ACCEPTED)
-                job.progress = 0.0
-                self._say(job)
-
-    def finished(self, work_id: str, result: SimulationResult) -> None:
-        with self._lock:
-            for job in self._store.handles(work_id):
-                self._results.put(job.content, result)
-                self._end(job, Status.SUCCESSFUL)
-
-    def failed(self, work_id: str, problem: dict[str, Any]) -> None:
-        with self._lock:
-            for job in self._store.handles(work_id):
-                job.problem, job.n_failed = problem, 1
-                self._end(job, Status.FAILED)
-
-    def died(self, work_id: str, exit_code: int | None) -> None:
-        self.failed(work_id, problem_of(WorkerDied(f"The worker process ended twice, with exit code {exit_code}.")))
 
     def _recall(self, client: str, key: str, content: str) -> Job | None:
         use = self._store.recall(client, key)
@@ -163,29 +150,43 @@ class Desk:
             raise ParameterError("Idempotency-Key", "was used for another request", "a new key, or the same request")
         return self._store.get(use.job_id)
 
-    def _same(self, client: str, content: str, has_result: bool) -> Job | None:
+    def _same(self, client: str, kind: str, content: str) -> Job | None:
+        has_result = kind == "sweep" or self._archive.has(content)
         wanted = (*ACTIVE, Status.SUCCESSFUL) if has_result else ACTIVE
         return self._store.latest(content, wanted, client)
 
-    def _new(
-        self, client: str, request: dict[str, Any], content: str, result: SimulationResult | None, fresh: bool
-    ) -> Job:
-        shared = None if fresh or result is not None else self._store.latest(content, ACTIVE)
-        work_id = shared.work_id if shared else uuid4().hex
-        job = Job(uuid4().hex, client, request["kind"], request, content, work_id, _now())
+    def _new(self, job: Job, key: str | None) -> Job:
+        """Take a job: with its result at once, beside others that wait for the same work, or with work of its own."""
+        if not job.fresh:
+            if job.kind == "simulation" and (result := self._archive.get(job.content)) is not None:
+                if not self._archive.is_kept(job.content):
+                    self._archive.put(job.content, result)
+                return self._finished_at_once(job, key)
+            if job.kind == "sweep" and (done := self._store.latest(job.content, (Status.SUCCESSFUL,))) is not None:
+                job.work_id, job.n_failed = done.work_id, done.n_failed
+                return self._finished_at_once(job, key)
+        self._check_limits(job.client)
+        shared = None if job.fresh else self._store.latest(job.content, ACTIVE)
         if shared:
-            job.status, job.progress, job.started = shared.status, shared.progress, shared.started
-        if result is None:
-            self._check_limits(client)
-        self._store.add(job)
-        if result is not None:
-            job.started = job.created
-            self._end(job, Status.SUCCESSFUL)
-            return job
-        self._say(job)
+            job.work_id, job.status, job.started = shared.work_id, shared.status, shared.started
+            job.progress, job.n_done, job.n_failed = shared.progress, shared.n_done, shared.n_failed
+        self._store.add(job, key)
+        self._ledger.say(job)
         if not shared:
-            self.engine.submit(Work(work_id, job.kind, request))
+            self._begin(job)
         return job
+
+    def _finished_at_once(self, job: Job, key: str | None) -> Job:
+        self._store.add(job, key)
+        job.started = job.created
+        self._ledger.end(job, Status.SUCCESSFUL)
+        return job
+
+    def _begin(self, job: Job) -> None:
+        if job.kind == "sweep":
+            self.engine.submit_sweep(SweepWork(job.work_id, job.request, job.fresh))
+        else:
+            self.engine.submit(Work(job.work_id, job.kind, job.request))
 
     def _check_limits(self, client: str) -> None:
         for count, limit, name in (
@@ -195,17 +196,8 @@ class Desk:
             if count >= limit:
                 raise QueueFull(f"There are {count} {name}, the most this server takes is {limit}.")
 
-    def _end(self, job: Job, status: Status) -> None:
-        job.move(status)
-        job.finished = job.finished or _now()
-        if status is Status.SUCCESSFUL:
-            job.progress, job.n_done = 1.0, 1
-        self._say(job, DONE)
 
-    def _say(self, job: Job, name: str = PROGRESS) -> None:
-        self._store.save(job)
-        self._events.publish(name, job.client, job.id, job_document(job))
-
-
-def _now() -> str:
-    return datetime.now(UTC).isoformat(timespec="milliseconds")
+def _check_finished(job: Job) -> None:
+    if job.status is not Status.SUCCESSFUL:
+        why = f": {job.problem['detail']}" if job.problem else "."
+        raise NotFinished(f"The job is {job.status}{why}")

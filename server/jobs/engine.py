@@ -1,4 +1,8 @@
-"""Long work in processes of its own: a queue, one thread per worker process, and what becomes of each piece."""
+"""Long work in processes of its own: a queue, lanes that work on it, and what becomes of each piece.
+
+A lane is a thread with something that computes: a worker process, or a place on a cluster. Single runs go first, in
+their order; sweeps share what is left, the one with the fewest tasks under way next.
+"""
 
 import logging
 import threading
@@ -7,12 +11,18 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
-from vocalis_server.jobs.worker import Died, Failed, Finished, Worker
-from vocalis_server.problems import problem_of
+from vfcore.errors import VocalisError
+from vfcore.version import MODEL_VERSION
+from vocalis_server.jobs.lane import Cluster, Died, Failed, Finished, Lane, NoConnection
+from vocalis_server.jobs.points import PointStore
+from vocalis_server.jobs.sweep_work import InFlight, Keeper, SweepWork, Task
+from vocalis_server.jobs.worker import Worker
+from vocalis_server.problems import is_about_model, problem_of
 
 log = logging.getLogger("vocalis")
 ATTEMPTS = 2  # a worker may die once under a piece of work
 CLOSE_S = 1.0
+RECONNECT_S = 1.0
 
 
 @dataclass(slots=True)
@@ -26,7 +36,7 @@ class Work:
     stop: threading.Event = field(default_factory=threading.Event)
 
 
-class Listener(Protocol):
+class Listener(Keeper, Protocol):
     """Who is told what becomes of work; called from the engine's threads."""
 
     def started(self, work_id: str) -> None: ...
@@ -35,60 +45,94 @@ class Listener(Protocol):
     def finished(self, work_id: str, result: Any) -> None: ...
     def failed(self, work_id: str, problem: dict[str, Any]) -> None: ...
     def died(self, work_id: str, exit_code: int | None) -> None: ...
+    def keep_results(self, task: Task, results: dict[int, Any]) -> None: ...
 
 
 class Engine:
-    """At most ``workers`` processes. The first one starts with the first piece of work."""
+    """At most ``workers`` processes, the first of which starts with the first piece of work; and with a ``cluster``
+    as many tasks of sweeps on it as it has room for.
+    """
 
-    def __init__(self, workers: int, listener: Listener):
-        self._most = workers
-        self._listener = listener
+    def __init__(self, workers: int, listener: Listener, points: PointStore, cluster: Cluster | None = None):
+        self._most, self._cluster = workers, cluster
+        self._listener, self._points = listener, points
         self._queue: deque[Work] = deque()
         self._running: dict[str, Work] = {}
+        self._sweeps: dict[str, SweepWork] = {}
+        self._in_flight = InFlight()
+        self._out = 0  # tasks of sweeps under way
+        self._turn = 0  # goes up when something has changed for sweeps
         self._workers: list[Worker] = []
         self._threads: list[threading.Thread] = []
         self._idle = 0
         self._closing = False
         self._changed = threading.Condition()
 
+    def start(self) -> None:
+        """Connect to the cluster, where there is one."""
+        if self._cluster is not None:
+            self._cluster.start()
+
     def submit(self, work: Work) -> None:
-        """Put work at the end of the queue."""
+        """Put a single run at the end of the queue."""
         with self._changed:
             self._queue.append(work)
-            if self._idle < len(self._queue) and len(self._workers) < self._most:
-                self._workers.append(worker := Worker())
-                self._threads.append(threading.Thread(target=self._serve, args=(worker,), name="worker", daemon=True))
-                self._threads[-1].start()
-            self._changed.notify()
+            if self._idle < len(self._queue):
+                self._open_lane()
+            self._changed.notify_all()
+
+    def submit_sweep(self, sweep: SweepWork) -> None:
+        """Let a sweep take its share of the workers."""
+        with self._changed:
+            self._sweeps[sweep.id] = sweep
+            if self._cluster is None:
+                sweep.portions.workers = self._most
+                for _ in range(min(self._most, len(sweep.sweep))):
+                    self._open_lane()
+            else:
+                sweep.portions.workers = self._cluster.capacity
+                self._open_cluster_lanes()
+            self._turn += 1
+            self._changed.notify_all()
 
     def stop(self, work_id: str) -> None:
-        """Take work out of the queue, or stop it within a second."""
+        """Take work out of the queue, or stop it within a second (on a cluster: when its present tasks are done)."""
         with self._changed:
             self._queue = deque(work for work in self._queue if work.id != work_id)
-            if (work := self._running.get(work_id)) is not None:
-                work.stop.set()
+            for under_way in (self._running.get(work_id), self._sweeps.pop(work_id, None)):
+                if under_way is not None:
+                    under_way.stop.set()
+
+    @property
+    def name(self) -> str:
+        return "processes" if self._cluster is None else "dask"
+
+    @property
+    def workers(self) -> int:
+        """How many pieces of work can be under way."""
+        return self._most if self._cluster is None else self._cluster.capacity
 
     @property
     def worker_pids(self) -> tuple[int, ...]:
         """Process ids of the workers alive."""
-        return tuple(worker.pid for worker in self._workers if worker.pid is not None)
+        return tuple(pid for worker in self._workers if (pid := worker.pid) is not None)
 
     @property
     def busy(self) -> tuple[str, ...]:
         """Ids of the work under way."""
-        return tuple(self._running)
+        return (*self._running, *(() if not self._out else self._sweeps))
 
     @property
     def waiting(self) -> int:
-        """How many pieces of work are in the queue."""
-        return len(self._queue)
+        """How many pieces of work have not begun."""
+        return len(self._queue) + sum(not sweep.tasks_out and not sweep.n_done for sweep in self._sweeps.values())
 
     def close(self) -> None:
         """Stop everything; returns within about a second."""
         with self._changed:
             self._closing = True
             self._queue.clear()
-            for work in self._running.values():
+            for work in (*self._running.values(), *self._sweeps.values()):
                 work.stop.set()
             self._changed.notify_all()
         for worker in self._workers:
@@ -96,36 +140,71 @@ class Engine:
         deadline = time.monotonic() + CLOSE_S
         for thread in self._threads:
             thread.join(max(0.0, deadline - time.monotonic()))
+        if self._cluster is not None:
+            self._cluster.close()
 
-    def _serve(self, worker: Worker) -> None:
-        while (work := self._take()) is not None:
-            try:
-                self._run(worker, work)
-            except Exception as error:
-                log.exception("work %s failed in the server", work.id)
-                worker.close()
-                self._listener.failed(work.id, problem_of(error))
-            finally:
-                with self._changed:
-                    del self._running[work.id]
+    def _open_lane(self) -> None:
+        if len(self._workers) < self._most:
+            self._workers.append(worker := Worker())
+            self._start(worker, runs=True, sweeps=self._cluster is None)
 
-    def _take(self) -> Work | None:
+    def _open_cluster_lanes(self) -> None:
+        while self._cluster.lanes < min(self._cluster.capacity, self._cluster.most):
+            self._start(self._cluster.new_lane(), runs=False, sweeps=True)
+
+    def _start(self, lane: Lane, runs: bool, sweeps: bool) -> None:
+        self._threads.append(threading.Thread(target=self._serve, args=(lane, runs, sweeps), name="lane", daemon=True))
+        self._threads[-1].start()
+
+    def _serve(self, lane: Lane, runs: bool, sweeps: bool) -> None:
+        while (piece := self._take(runs, sweeps)) is not None:
+            if isinstance(piece, Work):
+                self._run_single(lane, piece)
+            else:
+                self._serve_sweep(lane, piece)
+
+    def _take(self, runs: bool, sweeps: bool) -> Work | SweepWork | None:
         with self._changed:
-            self._idle += 1
-            self._changed.wait_for(lambda: self._queue or self._closing)
-            self._idle -= 1
-            if self._closing:
-                return None
-            work = self._queue.popleft()
-            self._running[work.id] = work
-            return work
+            while not self._closing:
+                if runs and self._queue:
+                    work = self._queue.popleft()
+                    self._running[work.id] = work
+                    return work
+                if sweeps and self._has_room() and (sweep := self._next_sweep()) is not None:
+                    sweep.tasks_out += 1
+                    self._out += 1
+                    return sweep
+                self._idle += runs
+                self._changed.wait()
+                self._idle -= runs
+            return None
 
-    def _run(self, worker: Worker, work: Work) -> None:
+    def _has_room(self) -> bool:
+        return self._cluster is None or self._out < self._cluster.capacity
+
+    def _next_sweep(self) -> SweepWork | None:
+        asking = [sweep for sweep in self._sweeps.values() if sweep.asked_at != self._turn]
+        return min(asking, key=lambda sweep: sweep.tasks_out, default=None)
+
+    # Single runs.
+
+    def _run_single(self, lane: Lane, work: Work) -> None:
+        try:
+            self._run(lane, work)
+        except Exception as error:
+            log.exception("work %s failed in the server", work.id)
+            lane.close()
+            self._listener.failed(work.id, problem_of(error))
+        finally:
+            with self._changed:
+                del self._running[work.id]
+
+    def _run(self, lane: Lane, work: Work) -> None:
         say = self._listener
         while True:
             work.attempts += 1
             say.started(work.id)
-            outcome = worker.run(work.kind, work.request, lambda part: say.progressed(work.id, part), work.stop)
+            outcome = lane.run(work.kind, work.request, lambda part: say.progressed(work.id, part), work.stop)
             if isinstance(outcome, Died) and work.attempts < ATTEMPTS and not work.stop.is_set():
                 say.retried(work.id)
                 continue
@@ -136,3 +215,80 @@ class Engine:
             elif isinstance(outcome, Died) and not work.stop.is_set():
                 say.died(work.id, outcome.exit_code)
             return
+
+    # Sweeps.
+
+    def _serve_sweep(self, lane: Lane, sweep: SweepWork) -> None:
+        """One task of a sweep, from planning to storing."""
+        task, found = None, False
+        with self._changed:
+            turn, begins = self._turn, not sweep.begun
+            sweep.begun = True
+        try:
+            if begins:
+                self._listener.started(sweep.id)
+            task = sweep.next_task(self._points, self._listener, self._in_flight)
+            found = task is not None
+            if task is not None:
+                self._run_task(lane, task)
+        except Exception as error:
+            if not sweep.stop.is_set():
+                if not isinstance(error, VocalisError):
+                    log.exception("sweep %s failed in the server", sweep.id)
+                self._fail(sweep, problem_of(error))
+        finally:
+            if task is not None:
+                self._in_flight.release(task.addresses)
+            with self._changed:
+                sweep.tasks_out -= 1
+                self._out -= 1
+                if found:
+                    self._turn += 1
+                    if self._cluster is not None:
+                        self._open_cluster_lanes()
+                else:
+                    sweep.asked_at = turn
+                complete = sweep.is_complete and self._sweeps.pop(sweep.id, None) is not None
+                self._changed.notify_all()
+            if complete:
+                self._listener.finished(sweep.id, None)
+
+    def _run_task(self, lane: Lane, task: Task) -> None:
+        """Have a task computed and stored; after the death of its worker point by point."""
+        if (died := self._attempt(lane, task)) is None:
+            return
+        for single in task.singles() if len(task.positions) > 1 else [task]:
+            if task.work.stop.is_set():
+                return
+            if (died := self._attempt(lane, single)) is not None:
+                self._listener.gave_up(
+                    single, f"The worker process ended while it computed this point, with exit code {died.exit_code}."
+                )
+
+    def _attempt(self, lane: Lane, task: Task) -> Died | None:
+        say, sweep = self._listener, task.work
+        while not sweep.stop.is_set():
+            try:
+                outcome = lane.run("sweep", (task.part, MODEL_VERSION), lambda _: None, sweep.stop)
+            except NoConnection:  # nothing was computed: this is no attempt
+                sweep.stop.wait(RECONNECT_S)
+                continue
+            if isinstance(outcome, Finished):
+                say.keep_results(task, outcome.result.results)
+                say.computed(task, outcome.result.rows)
+                sweep.portions.learn(len(task.positions), outcome.result.seconds)
+            elif isinstance(outcome, Failed) and is_about_model(outcome.problem):
+                self._fail(sweep, outcome.problem)
+            elif isinstance(outcome, Failed):
+                say.gave_up(task, outcome.problem["detail"])
+            elif isinstance(outcome, Died):
+                return outcome
+            break
+        return None
+
+    def _fail(self, sweep: SweepWork, problem: dict[str, Any]) -> None:
+        sweep.stop.set()
+        with self._changed:
+            known = self._sweeps.pop(sweep.id, None)
+        if known is not None:
+            self._listener.failed(sweep.id, problem)

@@ -1,14 +1,14 @@
 """What happened to jobs, as a numbered log that any number of streams can read from any point.
 
-Of the progress of one job only the last word is kept, so a slow reader is never behind by more than one
-event per job. Event ids are ``<boot>-<number>``: after a restart, or when too much has happened since, a reader
-gets the present state instead of a gap.
+Of the progress of one job only the last word is kept, so a slow reader is never behind by more than one such
+event per job; of the points of sweeps the latest ones. Event ids are ``<boot>-<number>``: after a restart, or when too
+much has happened since, a reader gets the present state instead of a gap.
 """
 
 import asyncio
 import secrets
 import threading
-from collections import Counter, OrderedDict
+from collections import Counter, OrderedDict, deque
 from collections.abc import AsyncIterator, Callable
 from typing import Any, NamedTuple
 
@@ -16,7 +16,7 @@ PROGRESS, POINT, DONE = "progress", "point", "done"
 
 
 class Event(NamedTuple):
-    """``data`` is the job's document at that moment."""
+    """``data`` is the job's document at that moment; of POINT events the points."""
 
     id: str
     name: str
@@ -28,8 +28,9 @@ class Event(NamedTuple):
 class EventLog:
     """Written from any thread, read in the event loop that ``bind`` was called in."""
 
-    def __init__(self, kept: int = 5000):
-        self._kept = kept
+    def __init__(self, kept: int = 5000, points_kept: int = 500):
+        self._kept, self._points_kept = kept, points_kept
+        self._points: deque[int] = deque()
         self._boot = secrets.token_hex(4)
         self._log: OrderedDict[int, Event] = OrderedDict()
         self._last_progress: dict[str, int] = {}
@@ -55,13 +56,19 @@ class EventLog:
         with self._lock:
             self._number += 1
             number = self._number
-            if (last := self._last_progress.pop(job_id, None)) is not None:
+            if name != POINT and (last := self._last_progress.pop(job_id, None)) is not None:
                 self._log.pop(last, None)
             if name == PROGRESS:
                 self._last_progress[job_id] = number
+            if name == POINT:
+                self._points.append(number)
             self._log[number] = Event(f"{self._boot}-{number}", name, client, job_id, data)
             while len(self._log) > self._kept:
                 self._dropped, _ = self._log.popitem(last=False)
+            while len(self._points) > self._points_kept:
+                oldest = self._points.popleft()
+                if self._log.pop(oldest, None) is not None:
+                    self._dropped = max(self._dropped, oldest)
         if self._loop is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._wake)
 
@@ -92,7 +99,8 @@ class EventLog:
             position = self.position(last_id)
             if position is None:
                 position = self._number  # first: what happens meanwhile is told twice rather than not at all
-                events = [event._replace(id=f"{self._boot}-{position}") for event in present()]
+                told = await asyncio.to_thread(present)
+                events = [event._replace(id=f"{self._boot}-{position}") for event in told]
             else:
                 events, position = self.since(position, client, job_id)
             while not self.closed:

@@ -17,6 +17,10 @@ class NoSuchJob(VocalisError):
     """No job has this id."""
 
 
+class WrongKind(VocalisError):
+    """A job of this kind has no such part."""
+
+
 class NotFinished(VocalisError):
     """The job has no result to give (yet, or ever)."""
 
@@ -76,6 +80,7 @@ class Job:
     n_done: int = 0
     n_total: int = 1
     n_failed: int = 0
+    fresh: bool = False
     started: str | None = None
     finished: str | None = None
     problem: dict[str, Any] | None = field(default=None)

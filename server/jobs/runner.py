@@ -1,6 +1,6 @@
 """The worker process: takes one piece of work after the other from a pipe, and answers on it.
 
-In:  ("run", kind, request) · ("stop",)
+In:  ("run", kind, piece) · ("stop",)
 Out: ("progress", fraction) · ("result", frames) followed by so many frames of bytes · ("problem", document) ·
      ("stopped",)
 
@@ -30,8 +30,14 @@ def _simulation(request: dict[str, Any], progress: Progress, stop: Stop) -> Any:
     return simulate(simulation_from_dict(request), progress, stop)
 
 
+def _part_of_sweep(piece: tuple[Any, str], _: Progress, stop: Stop) -> Any:
+    from vfcore.sweep.task import run_task
+
+    return run_task(*piece, stop)
+
+
 #: What a worker can do, by kind of job.
-KINDS: dict[str, Callable[[dict[str, Any], Progress, Stop], Any]] = {"simulation": _simulation}
+KINDS: dict[str, Callable[[Any, Progress, Stop], Any]] = {"simulation": _simulation, "sweep": _part_of_sweep}
 
 
 def serve_work(pipe: Connection) -> None:
@@ -47,12 +53,12 @@ def serve_work(pipe: Connection) -> None:
             return
 
 
-def _answer(pipe: Connection, kind: str, request: dict[str, Any]) -> None:
+def _answer(pipe: Connection, kind: str, piece: Any) -> None:
     from vfcore.errors import Cancelled
     from vocalis_server.problems import problem_of
 
     try:
-        result = KINDS[kind](request, _Throttled(pipe), lambda: _stop_asked(pipe))
+        result = KINDS[kind](piece, _Throttled(pipe), lambda: _stop_asked(pipe))
     except Cancelled:
         pipe.send(("stopped",))
     except EOFError:

@@ -1,14 +1,24 @@
-"""Where jobs are kept: in memory, behind the few calls that a database would have to answer.
+"""Jobs on disk, the unfinished ones in memory too, and the keys they were handed in with.
 
-Not thread-safe on its own: the desk holds its lock around every call. ``save`` is called after every change
-of a job, so that a store on disk needs nothing else.
+Not thread-safe on its own: the desk holds its lock around every call. What a job is waiting for happens in memory
+(progress, many times a second) and reaches the disk with ``save``.
 """
 
-from collections.abc import Collection, Iterator
-from itertools import count, islice
-from typing import NamedTuple
+from collections.abc import Collection, Iterable
+from dataclasses import asdict, fields
+from typing import Any, NamedTuple
 
+from sqlalchemy import Connection, bindparam, delete, insert, select, update
+
+from vocalis_server.jobs.database import Database
 from vocalis_server.jobs.model import ACTIVE, Job, Status
+from vocalis_server.jobs.tables import JOBS, KEYS
+
+_FIELDS = tuple(field.name for field in fields(Job))
+_FIXED = {"id", "sequence", "client", "kind", "request", "content", "created"}
+_CHANGING = tuple(name for name in _FIELDS if name not in _FIXED)
+_COLUMNS = [JOBS.c[name] for name in _FIELDS]
+_UPDATE = update(JOBS).where(JOBS.c.id == bindparam("job_id")).values({name: bindparam(name) for name in _CHANGING})
 
 
 class KeyUse(NamedTuple):
@@ -19,64 +29,124 @@ class KeyUse(NamedTuple):
 
 
 class JobStore:
-    """Jobs by id, newest last; the oldest finished ones are forgotten beyond ``kept``."""
+    """Jobs by id; ``active()`` are those a server that starts has to go on with."""
 
-    def __init__(self, kept: int):
-        self._kept = kept
-        self._jobs: dict[str, Job] = {}
-        self._keys: dict[tuple[str, str], KeyUse] = {}
-        self._numbers = count(1)
+    def __init__(self, database: Database):
+        self._database = database
+        self._active: dict[str, Job] = {}
+        self._unsaved: dict[str, Job] = {}  # over, but the disk was full
 
-    def add(self, job: Job) -> None:
-        """Take a new job, and give it its place in the order."""
-        job.sequence = next(self._numbers)
-        self._jobs[job.id] = job
-        self._forget()
+    def load(self) -> None:
+        """Read what a server before this one left unfinished."""
+        with self._database.read() as connection:
+            rows = connection.execute(select(*_COLUMNS).where(JOBS.c.status.in_(ACTIVE)).order_by(JOBS.c.sequence))
+            self._active = {row.id: _job(row) for row in rows}
+
+    def add(self, job: Job, key: str | None = None) -> None:
+        """Take a new job, with the key it was handed in with, and give it its place in the order."""
+        with self._database.write() as connection:
+            values = _values(job)
+            del values["sequence"]
+            job.sequence = connection.execute(insert(JOBS).values(values)).inserted_primary_key[0]
+            if key is not None:
+                _remember(connection, job.client, key, KeyUse(job.content, job.id))
+        self._keep_in_mind(job)
 
     def save(self, job: Job) -> None:
-        """Keep a change of a job."""
+        """Keep a change of a job, and what could not be kept before. In memory it has happened even on a full disk."""
+        self._keep_in_mind(job)
+        with self._database.write() as connection:
+            save_jobs(connection, [job, *self._unsaved.values()])
+        self._unsaved.clear()
+
+    def active(self) -> list[Job]:
+        """Unfinished jobs, oldest first."""
+        return list(self._active.values())
 
     def get(self, job_id: str) -> Job | None:
-        return self._jobs.get(job_id)
+        return self._in_mind(job_id) or self._first(JOBS.c.id == job_id)
 
     def handles(self, work_id: str) -> list[Job]:
         """Unfinished jobs that wait for one computation."""
-        return [job for job in self._jobs.values() if job.work_id == work_id and job.status in ACTIVE]
+        return [job for job in self._active.values() if job.work_id == work_id]
 
     def latest(self, content: str, statuses: Collection[Status], client: str | None = None) -> Job | None:
         """The newest job for a content in one of the states, of one client or of any."""
-        found = self._newest_first(client)
-        return next((job for job in found if job.content == content and job.status in statuses), None)
+        found = [
+            job
+            for job in self._active.values()
+            if job.content == content and job.status in statuses and client in (None, job.client)
+        ]
+        if found:
+            return found[-1]
+        over = [status for status in statuses if status not in ACTIVE]
+        if not over:
+            return None
+        wanted = (JOBS.c.content == content) & JOBS.c.status.in_(over)
+        return self._first(wanted if client is None else wanted & (JOBS.c.client == client))
 
     def page(
         self, client: str, status: Status | None, kind: str | None, limit: int, before: int | None
     ) -> tuple[list[Job], bool]:
         """At most ``limit`` jobs of a client, newest first, older than number ``before``; and whether more follow."""
-        found = (
-            job
-            for job in self._newest_first(client)
-            if status in (None, job.status) and kind in (None, job.kind) and (before is None or job.sequence < before)
-        )
-        jobs = list(islice(found, limit + 1))
+        wanted = select(*_COLUMNS).where(JOBS.c.client == client)
+        for column, value in ((JOBS.c.status, status), (JOBS.c.kind, kind)):
+            if value is not None:
+                wanted = wanted.where(column == value)
+        if before is not None:
+            wanted = wanted.where(JOBS.c.sequence < before)
+        with self._database.read() as connection:
+            rows = connection.execute(wanted.order_by(JOBS.c.sequence.desc()).limit(limit + 1)).all()
+        jobs = [self._in_mind(row.id) or _job(row) for row in rows]
         return jobs[:limit], len(jobs) > limit
 
-    def count_active(self, client: str | None = None) -> int:
-        return sum(job.status in ACTIVE for job in self._newest_first(client))
+    def count_active(self, client: str) -> int:
+        return sum(job.client == client for job in self._active.values())
 
     def recall(self, client: str, key: str) -> KeyUse | None:
         """What a client used an Idempotency-Key for; None when it is new or its job is forgotten."""
-        return self._keys.get((client, key))
+        with self._database.read() as connection:
+            row = connection.execute(
+                select(KEYS.c.content, KEYS.c.job_id).where(KEYS.c.client == client, KEYS.c.key == key)
+            ).first()
+        return None if row is None else KeyUse(row.content, row.job_id)
 
     def remember(self, client: str, key: str, use: KeyUse) -> None:
-        self._keys[client, key] = use
+        with self._database.write() as connection:
+            _remember(connection, client, key, use)
 
-    def _newest_first(self, client: str | None) -> Iterator[Job]:
-        return (job for job in reversed(self._jobs.values()) if client in (None, job.client))
+    def _first(self, wanted: Any) -> Job | None:
+        with self._database.read() as connection:
+            row = connection.execute(select(*_COLUMNS).where(wanted).order_by(JOBS.c.sequence.desc()).limit(1)).first()
+        return None if row is None else _job(row)
 
-    def _forget(self) -> None:
-        finished = [job.id for job in self._jobs.values() if job.status not in ACTIVE]
-        if len(finished) <= self._kept:
-            return
-        for job_id in finished[: len(finished) - self._kept]:
-            del self._jobs[job_id]
-        self._keys = {pair: use for pair, use in self._keys.items() if use.job_id in self._jobs}
+    def _keep_in_mind(self, job: Job) -> None:
+        if job.status in ACTIVE:
+            self._active[job.id] = job
+        else:
+            self._active.pop(job.id, None)
+            self._unsaved[job.id] = job
+
+    def _in_mind(self, job_id: str) -> Job | None:
+        return self._active.get(job_id) or self._unsaved.get(job_id)
+
+
+def save_jobs(connection: Connection, jobs: Iterable[Job]) -> None:
+    """Keep changes of jobs, inside a transaction."""
+    changed = [{name: value for name, value in _values(job).items() if name in _CHANGING} for job in jobs]
+    for job, values in zip(jobs, changed, strict=True):
+        connection.execute(_UPDATE, values | {"job_id": job.id})
+
+
+def _remember(connection: Connection, client: str, key: str, use: KeyUse) -> None:
+    connection.execute(delete(KEYS).where(KEYS.c.client == client, KEYS.c.key == key))
+    connection.execute(insert(KEYS).values(client=client, key=key, content=use.content, job_id=use.job_id))
+
+
+def _values(job: Job) -> dict[str, Any]:
+    return asdict(job) | {"status": job.status.value}
+
+
+def _job(row: Any) -> Job:
+    values = dict(row._mapping)
+    return Job(**values | {"status": Status(values["status"])})

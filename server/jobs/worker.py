@@ -4,32 +4,14 @@ import multiprocessing
 import threading
 import time
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
+from vocalis_server.jobs.lane import Died, Failed, Finished, Outcome, Stopped
 from vocalis_server.jobs.runner import read_result, serve_work
 
 _SPAWN = multiprocessing.get_context("spawn")  # a fork would copy threads' locks in whatever state they are
 LISTEN_S = 0.05
 PATIENCE_S = 0.7  # to stop between chunks; then the process is ended
-
-
-class Finished(NamedTuple):
-    result: Any
-
-
-class Failed(NamedTuple):
-    problem: dict[str, Any]
-
-
-class Stopped(NamedTuple):
-    pass
-
-
-class Died(NamedTuple):
-    exit_code: int | None
-
-
-Outcome = Finished | Failed | Stopped | Died
 
 
 class Worker:
@@ -44,14 +26,12 @@ class Worker:
         """Process id; None when there is no process."""
         return self._process.pid if self._process else None
 
-    def run(
-        self, kind: str, request: dict[str, Any], progress: Callable[[float], None], stop: threading.Event
-    ) -> Outcome:
+    def run(self, kind: str, piece: Any, progress: Callable[[float], None], stop: threading.Event) -> Outcome:
         """Have work done; returns when it is finished, failed, stopped, or the process died."""
         deadline = None
         try:
             self._ensure()
-            self._pipe.send(("run", kind, request))
+            self._pipe.send(("run", kind, piece))
             while True:
                 if deadline is None and stop.is_set():
                     self._pipe.send(("stop",))
@@ -85,8 +65,9 @@ class Worker:
             return
         self.close()
         self._pipe, theirs = _SPAWN.Pipe()
-        self._process = _SPAWN.Process(target=serve_work, args=(theirs,), name="vocalis-worker", daemon=True)
-        self._process.start()
+        process = _SPAWN.Process(target=serve_work, args=(theirs,), name="vocalis-worker", daemon=True)
+        process.start()
+        self._process = process
         theirs.close()
 
     def _bury(self) -> int | None:

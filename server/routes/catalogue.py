@@ -22,7 +22,7 @@ async def health(shared: Shared) -> schemas.Health:
         status="ok",
         version=vfcore.CODE_VERSION,
         model_version=vfcore.MODEL_VERSION,
-        engine=schemas.EngineState(name="processes", workers=shared.settings.workers),
+        engine=schemas.EngineState(name=shared.desk.engine.name, workers=shared.desk.engine.workers),
         ready=shared.kernels.ready,
         message=shared.kernels.message,
     )

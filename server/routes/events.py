@@ -4,6 +4,7 @@ from collections.abc import AsyncIterator
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Header
+from fastapi.concurrency import run_in_threadpool
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 
 from vocalis_server.errors import StreamOver
@@ -22,7 +23,7 @@ async def job_stream(
     job_id: str, shared: Shared, client: Client, last_id: LastId = None
 ) -> AsyncIterator[AsyncIterator[Event]]:
     """Dependency: the events of one job. Errors have to come before the stream starts."""
-    job = shared.desk.job(job_id)
+    job = await run_in_threadpool(shared.desk.job, job_id)
     position = shared.events.position(last_id)
     if job.status not in ACTIVE and position is not None and not shared.events.since(position, "", job_id)[0]:
         raise StreamOver
@@ -55,7 +56,11 @@ async def _open(
 async def job_events(
     stream: Annotated[AsyncIterator[Event], Depends(job_stream)],
 ) -> AsyncIterator[ServerSentEvent]:
-    """``progress`` until ``done``, each with the job as data; resumes after ``Last-Event-ID``."""
+    """``progress`` until ``done``, each with the job as data; resumes after ``Last-Event-ID``.
+
+    Of sweeps also ``point``: several points at a time, ``index`` into the axes in C order, and along it
+    ``phonation_state``, ``measures`` by key, ``problems``; beyond 2500 points ``index`` only.
+    """
     async for event in stream:
         yield ServerSentEvent(data=event.data, event=event.name, id=event.id)
 

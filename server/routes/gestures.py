@@ -4,12 +4,12 @@ from fastapi import APIRouter, Request, Response
 from fastapi.responses import JSONResponse
 
 from vfcore.audio import to_wav_bytes
+from vfcore.content import content_hash
 from vfcore.errors import ParameterError
 from vfcore.gesture.document import contour_csv, gesture_document, gesture_netcdf_bytes
 from vfcore.gesture.gesture import gesture_to_dict
 from vfcore.gesture.render import RenderedGesture, render
 from vocalis_server import schemas
-from vocalis_server.jobs.content import content_hash
 from vocalis_server.jobs.document import API
 from vocalis_server.jobs.model import ResultGone
 from vocalis_server.openapi import octets, problems

@@ -1,19 +1,23 @@
 """Handing in jobs, asking about them, dismissing them."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, Header, Query, Request, Response
+from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import JSONResponse
 
+from vfcore.content import canonical
 from vfcore.errors import ParameterError
+from vfcore.sweep.cost import check_cost as check_sweep_cost
+from vfcore.sweep.document import sweep_to_dict
 from vocalis_server import schemas
 from vocalis_server.cost import check_cost
-from vocalis_server.jobs.content import canonical
 from vocalis_server.jobs.document import job_document
 from vocalis_server.jobs.model import Status
 from vocalis_server.openapi import problems
 from vocalis_server.request_schema import JobBody, simulation_of
-from vocalis_server.services import Client, Shared
+from vocalis_server.services import Client, Services, Shared
+from vocalis_server.sweep_schema import AnyJobBody, SweepBody, sweep_of
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
 _LOCATION = {"Location": {"description": "address of the job", "schema": {"type": "string"}}}
@@ -26,16 +30,37 @@ Key = Annotated[
 @router.post(
     "",
     status_code=202,
-    responses={202: {"model": schemas.JobAnswer, "headers": _LOCATION}} | problems(415, 422, 429, 503),
+    responses={202: {"model": schemas.JobAnswer, "headers": _LOCATION}} | problems(415, 422, 429, 503, 507),
 )
-async def submit(body: JobBody, request: Request, shared: Shared, client: Client, key: Key = None) -> Response:
-    """Hand in a simulation. A request that has a job already gets that job, finished if it is, unless ``fresh``."""
+async def submit(body: AnyJobBody, request: Request, shared: Shared, client: Client, key: Key = None) -> Response:
+    """Hand in a simulation or a sweep. What has a job already gets that job, finished if it is, unless ``fresh``."""
+    work = _sweep if isinstance(body, SweepBody) else _simulation
+    wanted, n_total = await work(body, request, shared)
+    job = await run_in_threadpool(shared.desk.submit, client, wanted, body.fresh, key, n_total)
+    document = job_document(job)
+    return JSONResponse(document, 202, {"Location": document["links"]["self"]})
+
+
+async def _sweep(body: SweepBody, _: Request, shared: Services) -> tuple[dict[str, Any], int]:
+    """A canonical sweep that may be run here, and its number of points."""
+
+    def checked() -> tuple[dict[str, Any], int]:
+        sweep, limits = sweep_of(body), shared.settings
+        check_sweep_cost(
+            sweep, limits.sweep_points, limits.sweep_node_steps, "VOCALIS_SWEEP_POINTS", "VOCALIS_SWEEP_NODE_STEPS"
+        )
+        return sweep_to_dict(sweep), len(sweep)
+
+    return await run_in_threadpool(checked)
+
+
+async def _simulation(body: JobBody, request: Request, shared: Services) -> tuple[dict[str, Any], int]:
+    """A canonical simulation that may be run here."""
     wanted = simulation_of(body)
     limit = shared.settings.job_node_steps
     await shared.kernels.for_postures()
     await shared.runs.run(lambda: check_cost(wanted, limit, "VOCALIS_JOB_NODE_STEPS"), request.is_disconnected)
-    document = job_document(shared.desk.submit(client, canonical(wanted), body.fresh, key))
-    return JSONResponse(document, 202, {"Location": document["links"]["self"]})
+    return canonical(wanted), 1
 
 
 @router.get("", responses={200: {"model": schemas.JobList}} | problems(422))
@@ -49,9 +74,8 @@ def jobs(
 ) -> JSONResponse:
     """This client's jobs, newest first."""
     found, more = shared.desk.jobs(client, status, kind, limit, _position(cursor))
-    return JSONResponse(
-        {"jobs": [job_document(job) for job in found], "next_cursor": str(found[-1].sequence) if more else None}
-    )
+    listed = [job_document(job, brief=True) for job in found]
+    return JSONResponse({"jobs": listed, "next_cursor": str(found[-1].sequence) if more else None})
 
 
 @router.get("/{job_id}", responses={200: {"model": schemas.JobAnswer}} | problems(404, 422))
@@ -60,7 +84,7 @@ def job(job_id: str, shared: Shared) -> JSONResponse:
     return JSONResponse(job_document(shared.desk.job(job_id)))
 
 
-@router.delete("/{job_id}", responses={200: {"model": schemas.JobAnswer}} | problems(404, 422))
+@router.delete("/{job_id}", responses={200: {"model": schemas.JobAnswer}} | problems(404, 422, 507))
 def dismiss(job_id: str, shared: Shared) -> JSONResponse:
     """Let go of a job; running work that nobody else waits for stops within a second."""
     return JSONResponse(job_document(shared.desk.dismiss(job_id)))

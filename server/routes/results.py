@@ -3,20 +3,22 @@
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query, Response
-from fastapi.responses import JSONResponse
+from fastapi.responses import JSONResponse, StreamingResponse
 
 from vfcore.audio import render, to_wav_bytes
 from vfcore.document import result_document
 from vfcore.errors import ParameterError
 from vfcore.files.csv import csv_text
-from vfcore.result import ARRAYS
+from vfcore.result import ARRAYS, SimulationResult
 from vocalis_server import schemas
 from vocalis_server.encoding import octets as as_octets
 from vocalis_server.openapi import octets, problems
-from vocalis_server.services import Shared
+from vocalis_server.services import Services, Shared
 
 router = APIRouter(prefix="/jobs/{job_id}", tags=["results"])
 OCTETS, WAV, NETCDF, CSV = "application/octet-stream", "audio/wav", "application/x-netcdf", "text/csv"
+Keys = Annotated[str | None, Query(description="of a sweep: keys of measures, comma between; all when left out")]
+Partial = Annotated[bool, Query(description="of a sweep that is not finished: what there is")]
 _PROBLEMS = problems(404, 409, 410, 422)
 _ARRAY_HEADERS = {
     "X-Shape": "lengths of the axes, comma between",
@@ -26,10 +28,17 @@ _ARRAY_HEADERS = {
 }
 
 
-@router.get("/result", responses={200: {"model": schemas.Result}} | _PROBLEMS)
-def result(job_id: str, shared: Shared) -> JSONResponse:
-    """State of phonation, measures, posture, coefficients, and what arrays there are."""
-    return JSONResponse(result_document(shared.desk.result(job_id)))
+@router.get("/result", responses={200: {"model": schemas.Result | schemas.SweepResult}} | _PROBLEMS)
+def result(job_id: str, shared: Shared, measures: Keys = None, partial: Partial = False) -> JSONResponse:
+    """Of a simulation: state of phonation, measures, posture, coefficients, and what arrays there are.
+
+    Of a sweep: axes, one table per measure and one state per point, in C order of ``shape``.
+    """
+    job = shared.desk.job(job_id)
+    if job.kind == "sweep":
+        table = shared.desk.table(job, partial)
+        return JSONResponse(table.document(None if measures is None else _names(measures)))
+    return JSONResponse(result_document(shared.desk.result(job)))
 
 
 @router.get(
@@ -46,7 +55,7 @@ def array(
     stride: Annotated[int, Query(ge=1, le=10**9)] = 1,
 ) -> Response:
     """One array, or every ``stride``-th entry of a part of it."""
-    found = shared.desk.result(job_id)
+    found = _simulation(shared, job_id)
     length = len(found.arrays[name])
     stop = length if stop is None else stop
     for path, value, most in (("stop", stop, length), ("start", start, stop)):
@@ -66,24 +75,49 @@ def array(
 )
 def audio(job_id: str, shared: Shared, normalize: bool = True) -> Response:
     """The radiated pressure as sound, peaking at −3 dBFS; with ``normalize=false`` at the one gain of all runs."""
-    found = shared.desk.result(job_id)
+    found = _simulation(shared, job_id)
     sound = render(found.arrays["radiated_pressure_pa"], found.provenance.sample_rate_hz)
     content, gain = to_wav_bytes(sound, normalize, phonating=found.report.state != "none")
     return Response(content, headers={"X-Gain": repr(gain)} | _named(job_id, "wav"), media_type=WAV)
 
 
 @router.get("/result.nc", response_class=Response, responses={200: octets("netCDF-4 with units.", NETCDF)} | _PROBLEMS)
-def netcdf(job_id: str, shared: Shared) -> Response:
-    """Everything in one netCDF-4 file, with units and provenance."""
+def netcdf(job_id: str, shared: Shared, partial: Partial = False) -> Response:
+    """Everything in one netCDF-4 file, with units and provenance; of a sweep one variable per scalar over its axes."""
     from vfcore.files.netcdf import netcdf_bytes  # its library would make every start of the server slower
+    from vfcore.sweep.files import netcdf_bytes as sweep_bytes
 
-    return Response(netcdf_bytes(shared.desk.result(job_id)), headers=_named(job_id, "nc"), media_type=NETCDF)
+    job = shared.desk.job(job_id)
+    if job.kind == "sweep":
+        content = sweep_bytes(shared.desk.table(job, partial))
+    else:
+        content = netcdf_bytes(shared.desk.result(job))
+    return Response(content, headers=_named(job_id, "nc"), media_type=NETCDF)
 
 
-@router.get("/result.csv", response_class=Response, responses={200: octets("One row per measure.", CSV)} | _PROBLEMS)
-def csv(job_id: str, shared: Shared) -> Response:
+@router.get(
+    "/result.csv",
+    response_class=Response,
+    responses={200: octets("One row per measure; of a sweep one row per point.", CSV)} | _PROBLEMS,
+)
+def csv(job_id: str, shared: Shared, partial: Partial = False) -> Response:
     """The measures as a table."""
-    return Response(csv_text(shared.desk.result(job_id)), headers=_named(job_id, "csv"), media_type=CSV)
+    from vfcore.sweep.files import csv_lines
+
+    job = shared.desk.job(job_id)
+    if job.kind == "sweep":
+        return StreamingResponse(
+            csv_lines(shared.desk.table(job, partial)), headers=_named(job_id, "csv"), media_type=CSV
+        )
+    return Response(csv_text(shared.desk.result(job)), headers=_named(job_id, "csv"), media_type=CSV)
+
+
+def _simulation(shared: Services, job_id: str) -> SimulationResult:
+    return shared.desk.result(shared.desk.job(job_id))
+
+
+def _names(measures: str) -> list[str]:
+    return [name.strip() for name in measures.split(",") if name.strip()]
 
 
 def _named(job_id: str, ending: str) -> dict[str, str]:

@@ -5,6 +5,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import JSONResponse
 
+from vfcore.content import canonical, content_hash
 from vfcore.document import result_document
 from vfcore.errors import ParameterError
 from vfcore.params import Simulation
@@ -13,7 +14,6 @@ from vfcore.simulate import simulate as run_simulation
 from vocalis_server import schemas
 from vocalis_server.cost import check_cost
 from vocalis_server.encoding import bundle, chosen_names
-from vocalis_server.jobs.content import canonical, content_hash
 from vocalis_server.jobs.document import result_links
 from vocalis_server.openapi import problems
 from vocalis_server.request_schema import SimulationBody, simulation_of
@@ -53,7 +53,7 @@ async def simulate(
 def _result(shared: Services, request: Simulation) -> tuple[str, SimulationResult]:
     """The kept result of a request, or a new one."""
     content = content_hash(canonical(request))
-    result = shared.results.get(content)
+    result = shared.archive.get(content)
     if result is None:
         limit = shared.settings.simulate_duration_s
         if request.run.duration_s > limit:
@@ -63,5 +63,5 @@ def _result(shared: Services, request: Simulation) -> tuple[str, SimulationResul
             )  # fmt: skip
         check_cost(request, shared.settings.simulate_node_steps, "VOCALIS_SIMULATE_NODE_STEPS")
         result = run_simulation(request, stop=lambda: shared.events.closed)
-        shared.results.put(content, result)
+        shared.archive.show(content, result)
     return content, result

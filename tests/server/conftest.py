@@ -9,7 +9,7 @@ from tests.server.live_server import Live, serving
 
 @pytest.fixture(scope="session")
 def live() -> Live:
-    with serving() as server:
+    with serving(workers=1) as server:  # what waits and what runs is then known
         yield server
 
 

@@ -6,6 +6,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from tempfile import TemporaryDirectory
 
 import httpx
 import uvicorn
@@ -34,7 +35,11 @@ class Live:
 @contextmanager
 def serving(**settings) -> Iterator[Live]:
     """Serve with these settings until the block ends; the kernels are compiled when it begins."""
-    app = create_app(Settings(_env_file=None, **settings))
+    with TemporaryDirectory(prefix="vocalis-jobs-") as folder:
+        yield from _serving(create_app(Settings(_env_file=None, **{"jobs_directory": folder} | settings)))
+
+
+def _serving(app) -> Iterator[Live]:
     config = uvicorn.Config(app, host="127.0.0.1", port=0, log_level="warning", timeout_graceful_shutdown=1)
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run)
@@ -58,7 +63,7 @@ def wait_until(condition, seconds: float = 20) -> None:
         time.sleep(0.02)
 
 
-def finish(client: httpx.Client, job: dict, seconds: float = 30) -> dict:
+def finish(client: httpx.Client, job: dict, seconds: float = 60) -> dict:
     """The job once it is finished, however it ended."""
     wait_until(lambda: client.get(f"/jobs/{job['id']}").json()["finished"] is not None, seconds)
     return client.get(f"/jobs/{job['id']}").json()

@@ -29,7 +29,6 @@ def problem(answer, status: int) -> dict:
         ({"constants": {"K_col_pa_m": 1}}, "constants.K_col_pa_m", "10000 to 1e+09 Pa/m"),
         ({"constants": {"LCA_epsilon_2": -1}}, "constants.LCA_epsilon_2", "to 1"),
         ({"vowel": "x"}, "vowel", "i | I"),
-        ({"kind": "sweep", "base": {}, "axes": []}, "kind", "simulation"),
         ({"kind": "song"}, "kind", "simulation"),
     ],
 )
@@ -39,9 +38,12 @@ def test_a_bad_field_is_named_with_what_it_takes(client, path, body, field, allo
     assert found["message"] and allowed in found["allowed"]
 
 
-def test_a_sweep_is_refused_in_words(client):
-    detail = problem(client.post("/jobs", json={"kind": "sweep", "base": {}}), 422)["detail"]
-    assert "only simulations" in detail
+@pytest.mark.parametrize("path", ["/posture", "/simulate"])
+def test_a_sweep_is_a_job_and_nothing_else(client, path):
+    errors = problem(client.post(path, json={"kind": "sweep", "base": {}}), 422)["errors"]
+    assert errors == [
+        {"path": "kind", "message": "a sweep is a job; here stands one simulation", "allowed": "simulation"}
+    ]
 
 
 def test_all_bad_fields_are_told_at_once(client):
@@ -115,10 +117,10 @@ def test_a_run_of_too_many_nodes_and_steps_is_refused_with_the_limit(client):
 
 
 def test_a_body_too_large_is_413_whether_it_says_so_or_not(client):
-    large = b'{"kind": "' + b"x" * 70_000 + b'"}'
-    assert "65536 bytes" in problem(client.post("/posture", content=large, headers=JSON), 413)["detail"]
-    chunks = iter([large[:40_000], large[40_000:]])
-    assert "65536 bytes" in problem(client.post("/posture", content=chunks, headers=JSON), 413)["detail"]
+    large = b'{"kind": "' + b"x" * 1_100_000 + b'"}'
+    assert "1048576 bytes" in problem(client.post("/posture", content=large, headers=JSON), 413)["detail"]
+    chunks = iter([large[:400_000], large[400_000:]])
+    assert "1048576 bytes" in problem(client.post("/posture", content=chunks, headers=JSON), 413)["detail"]
 
 
 def test_too_many_jobs_are_429_with_the_limit_and_when_to_come_back():
@@ -141,9 +143,10 @@ def test_too_many_jobs_are_429_with_the_limit_and_when_to_come_back():
 
 
 def test_results_make_room_for_newer_ones_and_say_so():
-    with serving(result_bytes=2**20) as server, server.client() as client:
+    with serving(result_bytes=2**20, stored_bytes=2**20) as server, server.client() as client:
         first = finish(client, run(client, SHORT))
-        client.post("/simulate", json={"run": {"duration_s": 0.5}})
+        finish(client, run(client, {"run": {"duration_s": 0.5}}))
+        server.services.retention.tidy()
         assert "the same request makes it again" in problem(client.get(f"/jobs/{first['id']}/result"), 410)["detail"]
         again = finish(client, run(client, SHORT))
         assert client.get(f"/jobs/{again['id']}/result").status_code == 200

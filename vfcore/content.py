@@ -16,7 +16,7 @@ def canonical(request: Simulation) -> dict[str, Any]:
     return _one_form(simulation_to_dict(request))
 
 
-def content_hash(document: dict[str, Any]) -> str:
+def content_hash(document: Any) -> str:
     """Address of the result of a canonical request under this version of the model, 32 hexadecimal digits."""
     text = json.dumps([MODEL_VERSION, document], sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()[:32]

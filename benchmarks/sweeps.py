@@ -1,0 +1,147 @@
+"""Sweeps through the job system: how long they take on all cores, and what the job system itself costs.
+
+``python -m vocalis_bench.sweeps [map|large]`` prints figures as JSON. ``map``: 21 × 21 over CT and TA, runs of 1 s, on
+one core without a server, then through the job system with one worker and with all. ``large``: 10,000 runs of 1 s
+through the job system, killed with -9 half-way and gone on with, the memory of every process, opened by xarray.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import httpx
+
+from vfcore.sweep import run_sweep, sweep_from_dict
+
+MB = 2**20
+LOOK_EVERY_S = 0.25
+
+
+def grid(n_ct: int, n_ta: int) -> dict:
+    """A sweep of runs of 1 s over CT and TA."""
+    axes = [("activation.ct", n_ct), ("activation.ta", n_ta)]
+    return {
+        "kind": "sweep",
+        "axes": [{"parameter": path, "values": [k / (n - 1) for k in range(n)]} for path, n in axes],
+    }
+
+
+@contextmanager
+def served(folder: str, workers: int) -> Iterator[tuple[httpx.Client, subprocess.Popen]]:
+    """A server process, ready."""
+    server = subprocess.Popen(
+        [sys.executable, "-m", "vocalis_server", "--port", "0"], stdout=subprocess.PIPE, text=True,
+        env=os.environ | {"VOCALIS_JOBS_DIRECTORY": folder, "VOCALIS_WORKERS": str(workers)},
+    )  # fmt: skip
+    try:
+        url = server.stdout.readline().split()[1]
+        with httpx.Client(base_url=f"{url}/api/v1", timeout=60) as client:
+            while not client.get("/health").json()["ready"]:
+                time.sleep(0.1)
+            yield client, server
+    finally:
+        server.kill()
+        server.wait()
+
+
+def through_jobs(body: dict, workers: int) -> dict:
+    """Seconds of a sweep as a job, workers started before; and processor seconds of the server process in it."""
+    with tempfile.TemporaryDirectory(prefix="vocalis-sweeps-") as folder, served(folder, workers) as (client, server):
+        warm = client.post("/jobs", json=grid(8, 2) | {"base": {"vowel": "i"}}).json()
+        while client.get(f"/jobs/{warm['id']}").json()["finished"] is None:
+            time.sleep(0.1)
+        spent, began = processor_s(server.pid), time.perf_counter()
+        job = client.post("/jobs", json=body).json()
+        with client.stream("GET", f"/jobs/{job['id']}/events") as stream:
+            for line in stream.iter_lines():
+                if line == "event: done":
+                    break
+        seconds, server_s = time.perf_counter() - began, processor_s(server.pid) - spent
+    return {"seconds": round(seconds, 3), "server_cpu_s": round(server_s, 3)}
+
+
+def processor_s(pid: int) -> float:
+    """User and system time of a process so far, without its children."""
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def resident_mb(pid: int) -> float:
+    """Resident memory of a process and its children, MB."""
+    listed = subprocess.run(["ps", "-o", "pid=", "--ppid", str(pid)], capture_output=True, text=True).stdout
+    total = 0
+    for one in (pid, *map(int, listed.split())):
+        try:
+            total += int(Path(f"/proc/{one}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+        except FileNotFoundError:
+            continue
+    return total / MB
+
+
+def measure_map() -> dict:
+    """The map of two muscles."""
+    body, cores = grid(21, 21), os.cpu_count() or 1
+    sweep = sweep_from_dict(body)
+    run_sweep(sweep_from_dict(grid(2, 2)), workers=1)  # compiles
+    began = time.perf_counter()
+    run_sweep(sweep, workers=1)
+    alone = time.perf_counter() - began
+    one, every = through_jobs(body, 1), through_jobs(body, cores)
+    return {
+        "points": len(sweep),
+        "one_core_without_jobs_s": round(alone, 3),
+        "one_worker": one,
+        "all_workers": every | {"workers": cores},
+        "speed_up_over_one_core": round(alone / every["seconds"], 3),
+        "job_system_share": round(every["server_cpu_s"] / (every["seconds"] * cores), 4),
+    }
+
+
+def measure_large(points: int = 100) -> dict:
+    """``points`` × ``points`` runs, with a kill -9 half-way."""
+    import xarray
+
+    body, most = grid(points, points), 0.0
+    with tempfile.TemporaryDirectory(prefix="vocalis-sweeps-") as folder:
+        seconds, halves = 0.0, []
+        for goal in (points * points // 2, points * points):
+            with served(folder, os.cpu_count() or 1) as (client, server):
+                began = time.perf_counter()
+                job = client.post("/jobs", json=body).json()
+                halves.append(job["n_done"])
+                while (now := client.get(f"/jobs/{job['id']}").json())["n_done"] < goal:
+                    most = max(most, resident_mb(server.pid))
+                    time.sleep(LOOK_EVERY_S)
+                seconds += time.perf_counter() - began
+                if goal == points * points:
+                    while client.get(f"/jobs/{job['id']}").json()["finished"] is None:
+                        time.sleep(0.05)
+                    path = Path(folder) / "sweep.nc"
+                    path.write_bytes(client.get(f"/jobs/{job['id']}/result.nc").content)
+        with xarray.open_dataset(path) as opened:
+            found = int(opened.fo_hz.count())
+            sizes = dict(opened.sizes)
+        disk = sum(file.stat().st_size for file in Path(folder).glob("jobs.sqlite*")) / MB
+    return {
+        "points": now["n_total"], "failed": now["n_failed"], "seconds": round(seconds, 1),
+        "done_at_restart": halves[1], "memory_most_mb": round(most, 1), "database_mb": round(disk, 1),
+        "opened_by_xarray": {"sizes": sizes, "points_with_pitch": found},
+    }  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("what", choices=["map", "large"], nargs="?", default="map")
+    options = parser.parse_args()
+    print(json.dumps(measure_map() if options.what == "map" else measure_large(), indent=2))
+
+
+if __name__ == "__main__":
+    main()

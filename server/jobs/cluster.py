@@ -1,0 +1,125 @@
+"""Tasks of sweeps on a Dask cluster: the scheduler's address is all this server knows of it.
+
+A task is one call of ``vfcore.sweep.task.run_task``, named by the content of its points, of 0.2 to 2 s, so that
+losing a worker costs little. ``Client.cancel`` does not stop what is computing; nothing more is handed out then.
+"""
+
+import logging
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from vfcore.content import content_hash
+from vfcore.errors import Cancelled
+from vfcore.sweep.plan import Sweep
+from vfcore.sweep.task import WrongModel, run_task
+from vocalis_server.jobs.lane import Died, Failed, Finished, NoConnection, Outcome, Stopped
+from vocalis_server.problems import problem_of
+
+log = logging.getLogger("vocalis")
+LISTEN_S = 0.1
+CONNECT_S = 5.0
+LOOK_EVERY_S = 1.0
+PER_THREAD = 2  # tasks in flight for every thread of the cluster: one computes, one waits beside it
+
+
+class DaskCluster:
+    """``most`` bounds the tasks in flight. Connects once started, and again whenever the connection was lost."""
+
+    def __init__(self, address: str, most: int):
+        self.address, self.most = address, most
+        self.lanes = 0
+        self._client: Any = None
+        self._threads = 0
+        self._lock = threading.Lock()
+        self._end = threading.Event()
+
+    def start(self) -> None:
+        """Connect, and keep an eye on how many workers there are."""
+        threading.Thread(target=self._watch, name="cluster", daemon=True).start()
+
+    @property
+    def capacity(self) -> int:
+        """How many tasks the cluster has room for, in its workers and in front of them; 1 while it is not reached."""
+        return max(1, min(PER_THREAD * self._threads, self.most))
+
+    def _watch(self) -> None:
+        reached = True
+        while not self._end.is_set():
+            try:
+                self._threads = sum(self.client().nthreads().values())
+                reached = True
+            except (NoConnection, OSError, TimeoutError) as error:
+                if reached:  # said once
+                    log.warning("%s", error)
+                reached, self._threads = False, 0
+            self._end.wait(LOOK_EVERY_S)
+
+    def client(self) -> Any:
+        """The connection; NoConnection."""
+        from distributed import Client
+
+        with self._lock:
+            if self._client is None or self._client.status not in ("running", "connecting"):
+                try:
+                    self._client = Client(self.address, timeout=CONNECT_S, set_as_default=False, name="vocalis")
+                except (OSError, TimeoutError) as error:
+                    self._client = None
+                    raise NoConnection(f"The Dask scheduler at {self.address} cannot be reached: {error}") from error
+            return self._client
+
+    def new_lane(self) -> "DaskLane":
+        self.lanes += 1
+        return DaskLane(self)
+
+    def close(self) -> None:
+        self._end.set()
+        with self._lock:
+            if self._client is not None:
+                self._client.close(timeout=1)
+                self._client = None
+
+
+class DaskLane:
+    """One task on the cluster at a time."""
+
+    def __init__(self, cluster: DaskCluster):
+        self._cluster = cluster
+
+    def run(self, _: str, piece: tuple[Sweep, str], __: Callable[[float], None], stop: threading.Event) -> Outcome:
+        """Have a part of a sweep computed; NoConnection when the scheduler is lost."""
+        part, model_version = piece
+        key = f"vocalis-{content_hash([part.address(k) for k in range(len(part))])}"
+        client, done = self._cluster.client(), threading.Event()
+        try:
+            future = client.submit(run_task, part, model_version, key=key, pure=False, retries=0)
+            future.add_done_callback(lambda _: done.set())
+            while not done.wait(LISTEN_S):
+                if stop.is_set():
+                    future.cancel()
+                    return Stopped()
+                if client.status not in ("running", "connecting"):
+                    raise NoConnection(f"The Dask scheduler at {self._cluster.address} was lost.")
+            return _outcome(future)
+        except (OSError, TimeoutError) as error:
+            raise NoConnection(str(error)) from error
+
+    def close(self) -> None:
+        """Nothing here computes."""
+
+
+def _outcome(future: Any) -> Outcome:
+    from distributed import KilledWorker
+
+    if future.status == "finished":
+        return Finished(future.result())
+    if future.status != "error":
+        raise NoConnection("The Dask scheduler let go of a task.")
+    error = future.exception()
+    if isinstance(error, KilledWorker):
+        return Died(None)
+    if isinstance(error, Cancelled):
+        return Stopped()
+    if isinstance(error, ImportError | AttributeError):  # before run_task could look: other code altogether
+        error = WrongModel(f"A worker cannot load this version of Vocalis ({error}); install the same on both.")
+    return Failed(problem_of(error))

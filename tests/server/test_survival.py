@@ -1,0 +1,208 @@
+"""What a restart, a second server, a full disk and old age do to jobs and results."""
+
+import json
+import os
+import subprocess
+import sys
+import time
+from contextlib import suppress
+
+import httpx
+import numpy as np
+import pytest
+
+import vfcore
+from tests.server.desk_harness import Shop
+from tests.server.live_server import LONG, SHORT, events, finish, run, serving, wait_until
+from tests.server.test_server_process import address, started
+from tests.server.test_server_refusals import problem
+from tests.server.test_sweep_jobs import LONG_SWEEP, MAP
+from vfcore.content import canonical, content_hash
+from vfcore.document import result_document
+from vfcore.files.stored import DamagedFile, load_result, save_result
+from vfcore.request import simulation_from_dict
+from vocalis_server.jobs.model import Status
+from vocalis_server.jobs.retention import Limits
+
+
+def test_a_result_is_the_same_after_a_restart_in_every_form(tmp_path):
+    forms = ("result", "result.nc", "result.csv", "audio.wav", "arrays/cycle_w_m")
+    with serving(jobs_directory=tmp_path) as server, server.client() as client:
+        job = finish(client, run(client, SHORT, **{"Idempotency-Key": "k"}))
+        sweep = finish(client, run(client, MAP))
+        before = [client.get(f"/jobs/{job['id']}/{form}").content for form in forms]
+        table = client.get(f"/jobs/{sweep['id']}/result").json()
+    with serving(jobs_directory=tmp_path) as server, server.client() as client:
+        assert client.get(f"/jobs/{job['id']}").json() == job
+        assert [client.get(f"/jobs/{job['id']}/{form}").content for form in forms] == before
+        assert client.get(f"/jobs/{sweep['id']}/result").json() == table
+        assert run(client, SHORT)["id"] == job["id"] and run(client, MAP)["id"] == sweep["id"]
+        assert run(client, SHORT, **{"Idempotency-Key": "k"})["id"] == job["id"]
+        assert client.post("/jobs", json=LONG, headers={"Idempotency-Key": "k"}).status_code == 422
+
+
+def test_unfinished_jobs_go_on_after_a_restart_and_streams_resume(tmp_path):
+    with serving(jobs_directory=tmp_path, workers=1) as server, server.client() as client:
+        sweep = run(client, LONG_SWEEP)
+        wait_until(lambda: client.get(f"/jobs/{sweep['id']}").json()["n_done"] > 0, 60)
+        waiting = run(client, SHORT | {"vowel": "U"})
+        last = next(iter(events(client, f"/jobs/{sweep['id']}/events"))).id
+    with serving(jobs_directory=tmp_path, workers=1) as server, server.client() as client:
+        stored = client.get(f"/jobs/{sweep['id']}").json()["n_done"]
+        assert stored > 0
+        assert finish(client, waiting)["status"] == "successful"
+        first = next(iter(events(client, f"/jobs/{sweep['id']}/events", last_id=last)))
+        assert first.name == "progress" and first.data["n_done"] >= stored, "the present state, not a gap"
+        wait_until(lambda: client.get(f"/jobs/{sweep['id']}").json()["n_done"] > stored, 60)
+        client.delete(f"/jobs/{sweep['id']}")
+        assert server.services.points.recomputed() == 0
+
+
+def test_a_second_server_on_the_same_folder_keeps_jobs_of_its_own_and_says_so(tmp_path, monkeypatch):
+    monkeypatch.setenv("VOCALIS_JOBS_DIRECTORY", str(tmp_path / "jobs"))
+    with started() as (_, first), started() as (_, second):
+        wait_until(lambda: len(second) == 2)
+        assert str(tmp_path / "jobs-2") in second[1] and len(first) == 1
+        with httpx.Client(base_url=f"{address(first)}/api/v1", timeout=60) as one:
+            job = run(one, LONG)
+            with httpx.Client(base_url=f"{address(second)}/api/v1", timeout=60) as other:
+                assert other.get(f"/jobs/{job['id']}").status_code == 404
+                assert other.get("/jobs").json()["jobs"] == []
+
+
+def test_a_folder_that_cannot_be_used_is_one_clear_line(tmp_path):
+    (tmp_path / "file").write_text("")
+    (tmp_path / "jobs").mkdir()
+    (tmp_path / "jobs" / "jobs.sqlite").write_text("something else, and long enough for a header" * 100)
+    for folder in (tmp_path / "file" / "jobs", tmp_path / "jobs"):
+        command = [sys.executable, "-m", "vocalis_server", "--port", "0"]
+        environment = os.environ | {"VOCALIS_JOBS_DIRECTORY": str(folder)}
+        ended = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
+        assert ended.returncode != 0
+        assert ended.stderr.startswith("vocalis: the folder of jobs cannot be used"), ended.stderr
+        assert ended.stderr.count("\n") == 1
+
+
+@pytest.fixture
+def small_disk(tmp_path):
+    """A file system of 4 MB."""
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=4m", "vocalis", tmp_path], capture_output=True).returncode:
+        pytest.skip("mounting a small file system takes root")
+    yield tmp_path
+    subprocess.run(["umount", "--lazy", tmp_path], check=True)
+
+
+def fill(path) -> None:
+    """A file that takes all the room there is."""
+    with open(path, "wb", buffering=0) as file, suppress(OSError):
+        while True:
+            file.write(bytes(4096))
+
+
+def test_a_full_disk_is_a_clear_problem_and_damages_nothing(small_disk):
+    with serving(jobs_directory=small_disk / "jobs") as server, server.client() as client:
+        kept = finish(client, run(client, SHORT))
+        before = client.get(f"/jobs/{kept['id']}/result").json()
+        filler = small_disk / "filler"
+        fill(filler)
+        refused = None
+        for vowel in "iIeEVOoUu":  # the first ones may still find room in a page that is there
+            answer = client.post("/jobs", json=SHORT | {"vowel": vowel})
+            if answer.status_code == 507:
+                refused = answer
+                break
+            failed = finish(client, answer.json())
+            assert failed["status"] == "failed" and failed["problem"]["type"] == "urn:vocalis:problem:storage-full"
+        assert refused is not None
+        assert "no room left" in problem(refused, 507)["detail"]
+        assert client.get(f"/jobs/{kept['id']}/result").json() == before
+        assert client.post("/simulate", json=SHORT | {"vowel": "i"}).status_code == 200, "what needs no disk goes on"
+        filler.unlink()
+        again = finish(client, run(client, SHORT | {"vowel": "i"}))
+        assert again["status"] == "successful"
+        sweep = finish(client, run(client, MAP))
+        assert sweep["status"] == "successful"
+    with serving(jobs_directory=small_disk / "jobs") as server, server.client() as client:
+        assert client.get(f"/jobs/{kept['id']}/result").json() == before
+
+
+def test_a_sweep_that_fills_the_disk_fails_and_goes_on_when_there_is_room(small_disk):
+    with serving(jobs_directory=small_disk / "jobs") as server, server.client() as client:
+        filler = small_disk / "filler"
+        job = run(client, LONG_SWEEP)
+        wait_until(lambda: client.get(f"/jobs/{job['id']}").json()["n_done"] > 0, 60)
+        fill(filler)
+        failed = finish(client, job, 60)
+        assert failed["status"] == "failed" and "no room left" in failed["problem"]["detail"]
+        filler.unlink()
+        again = run(client, LONG_SWEEP)
+        wait_until(lambda: client.get(f"/jobs/{again['id']}").json()["n_done"] > failed["n_done"], 30)
+        client.delete(f"/jobs/{again['id']}")
+        assert server.services.points.recomputed() == 0
+
+
+def simulation(**changes) -> dict:
+    return canonical(simulation_from_dict({"run": {"duration_s": 0.02}} | changes))
+
+
+def test_old_jobs_and_large_results_go_and_work_under_way_stays(tmp_path):
+    result = vfcore.simulate(simulation_from_dict(simulation()))
+    size = save_result(result, tmp_path / "probe.npz")
+    shop = Shop(tmp_path / "jobs", limits=Limits(jobs=2, days=90, result_bytes=2 * size, points=1000))
+    ended = []
+    for vowel in "aiueo":
+        job = shop.desk.submit("A", simulation(vowel=vowel))
+        shop.ledger.started(job.work_id)
+        shop.ledger.finished(job.work_id, result)
+        ended.append(job)
+        time.sleep(0.01)
+    active = shop.desk.submit("A", simulation(vowel="a"), fresh=True)
+    shop.retention.tidy()
+    assert {job.id for job in shop.desk.jobs("A", None, None, 100, None)[0]} == {ended[3].id, ended[4].id, active.id}
+    assert shop.archive.total_bytes() <= 2 * size + size, "the result a job under way will give is not counted out"
+    assert shop.archive.is_kept(ended[4].content) and not shop.archive.is_kept(ended[1].content)
+    shop.retention._limits = Limits(jobs=100, days=1e-9, result_bytes=2**30, points=1000)
+    shop.retention.tidy()
+    assert [job.id for job in shop.desk.jobs("A", None, None, 100, None)[0]] == [active.id]
+    shop.close()
+
+
+def test_a_result_file_reads_back_bit_for_bit_and_damage_is_noticed(tmp_path):
+    result = vfcore.simulate(simulation_from_dict({"run": {"duration_s": 0.2}, "posture": {"strain": 0.1}}))
+    path = tmp_path / "result.npz"
+    assert save_result(result, path) == path.stat().st_size
+    again = load_result(path)
+    assert json.dumps(result_document(again)) == json.dumps(result_document(result))
+    assert again.request == result.request and again.report == result.report
+    for name, array in result.arrays.items():
+        np.testing.assert_array_equal(again.arrays[name], array)
+    octets = bytearray(path.read_bytes())
+    octets[len(octets) // 2] ^= 255
+    path.write_bytes(octets)
+    with pytest.raises(DamagedFile):
+        load_result(path)
+
+
+def test_a_damaged_result_is_made_again_rather_than_given(tmp_path):
+    result = vfcore.simulate(simulation_from_dict(simulation()))
+    shop = Shop(tmp_path / "jobs")
+    job = shop.desk.submit("A", simulation())
+    shop.ledger.started(job.work_id)
+    shop.ledger.finished(job.work_id, result)
+    shop.close()
+    path = tmp_path / "jobs" / "results" / f"{content_hash(simulation())}.npz"
+    path.write_bytes(path.read_bytes()[:-1000])
+    shop = Shop(tmp_path / "jobs")
+    again = shop.desk.submit("B", simulation())
+    assert again.status is Status.ACCEPTED and again.work_id in shop.engine.work
+    shop.close()
+
+
+def test_what_a_server_only_began_to_write_is_cleared_away(tmp_path):
+    shop = Shop(tmp_path / "jobs")
+    shop.close()
+    draft = tmp_path / "jobs" / "results" / ".x.npz.abc"
+    draft.mkdir()
+    (draft / "x.npz").write_bytes(b"half")
+    Shop(tmp_path / "jobs").close()
+    assert not draft.exists()

@@ -1,0 +1,125 @@
+"""A sweep document: what it takes, what it refuses and where, and how it unfolds into runs."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vfcore.content import canonical, content_hash
+from vfcore.errors import ParameterError
+from vfcore.params import Simulation
+from vfcore.request import numeric_paths
+from vfcore.sweep import sweep_from_dict, sweep_to_dict
+from vfcore.sweep.paths import numbers
+
+CT = {"parameter": "activation.ct", "values": [0, 0.5, 1]}
+
+
+@pytest.mark.parametrize(
+    "document, path",
+    [
+        ({}, "axes"),
+        ({"axes": [CT], "base": {"run": {"error_estimate": True}}}, "base.run.error_estimate"),
+        ({"axes": [CT], "points": [{}]}, "axes"),
+        ({"axes": []}, "axes"),
+        ({"axes": [CT] * 4}, "axes"),
+        ({"axes": [CT, CT]}, "axes.1.parameter"),
+        ({"axes": [{"parameter": "activation.ct", "values": [0, 0.5, 0.7, 2]}]}, "axes.0.values.3"),
+        ({"axes": [{"parameter": "activation.ct", "values": [0, "0.5"]}]}, "axes.0.values.1"),
+        ({"axes": [{"parameter": "activation.ct", "values": [float("nan")]}]}, "axes.0.values.0"),
+        ({"axes": [{"parameter": "activation.ct", "values": []}]}, "axes.0.values"),
+        ({"axes": [{"parameter": "activation.ctt", "values": [0]}]}, "axes.0.parameter"),
+        ({"axes": [{"parameter": "vowel", "values": [0]}]}, "axes.0.parameter"),
+        ({"axes": [{"parameter": ["activation.lca", "activation.xa"], "values": [0]}]}, "axes.0.parameter.1"),
+        ({"axes": [{"parameter": "run.nx", "values": [20, 20.5]}]}, "axes.0.values.1"),
+        ({"axes": [{"parameter": "activation.ct"}]}, "axes.0.values"),
+        ({"axes": [CT | {"step": 1}]}, "axes.0.step"),
+        ({"axes": ["activation.ct"]}, "axes.0"),
+        ({"points": [{}, {"activation.ct": 3}]}, "points.1.activation.ct"),
+        ({"points": [{"activation": {"ct": 3}}]}, "points.0.activation.ct"),
+        ({"points": [7]}, "points.0"),
+        ({"axes": [CT], "base": {"activation": {"ta": 2}}}, "base.activation.ta"),
+        ({"axes": [CT], "base": []}, "base"),
+        ({"axes": [CT], "measures": ["fo_hz", "f0"]}, "measures.1"),
+        ({"axes": [CT], "measures": []}, "measures"),
+        ({"axes": [CT], "precision": "float16"}, "precision"),
+        ({"axes": [CT], "keep_waveforms": 1}, "keep_waveforms"),
+        ({"axes": [CT], "keep": 1}, "keep"),
+        ({"axes": [CT], "kind": "simulation"}, "kind"),
+        ({"axes": [CT], "keep_waveforms": True, "precision": "float32"}, "precision"),
+        ({"points": [{}] * 501, "keep_waveforms": True}, "keep_waveforms"),
+    ],
+)  # fmt: skip
+def test_a_bad_field_is_named_by_its_dotted_path(document, path):
+    with pytest.raises(ParameterError) as refusal:
+        sweep_from_dict(document)
+    assert refusal.value.path == path
+    assert refusal.value.allowed
+
+
+def test_axes_unfold_in_c_order_with_tied_parameters_together():
+    tied = {"parameter": ["activation.lca", "activation.ia"], "values": [0.2, 0.9]}
+    sweep = sweep_from_dict({"axes": [CT, tied]})
+    assert sweep.shape == (3, 2) and len(sweep) == 6
+    runs = [request.activation for request in sweep.requests()]
+    assert [(run.ct, run.lca, run.ia) for run in runs] == [
+        (ct, adduction, adduction) for ct in (0, 0.5, 1) for adduction in (0.2, 0.9)
+    ]
+
+
+def test_equal_sweeps_are_equal_documents():
+    one = sweep_from_dict({"axes": [CT], "measures": ["spl_lips_db", "fo_hz"]})
+    axes = [CT | {"values": [0.0, 0.5, 1.0]}]
+    said = {"kind": "sweep", "base": {"vowel": "a"}, "axes": axes, "measures": ["fo_hz", "spl_lips_db"]}
+    other = sweep_from_dict(said)
+    assert sweep_to_dict(one) == sweep_to_dict(other)
+    assert sweep_from_dict(sweep_to_dict(one)) == one
+
+
+def values_of(path: str):
+    row = numbers()[path]
+    if row["type"] == "integer":
+        return st.integers(row["min"], row["max"])
+    return st.floats(row["min"], row["max"]) | st.just(row["default"] or row["min"])
+
+
+overrides = st.lists(st.sampled_from(numeric_paths()), min_size=1, max_size=4, unique=True).flatmap(
+    lambda paths: st.fixed_dictionaries({path: values_of(path) for path in paths})
+)
+bases = st.sampled_from(
+    [
+        {},
+        {"model": {"variant": "text_literal", "posture_set": "titze2006"}},
+        {"posture": {"strain": 0.1}, "constants": {"K_col_pa_m": 2e6, "LCA_rest_length_m": 0.0144}},
+    ]
+)
+
+
+@given(bases, overrides)
+def test_the_address_of_a_point_is_that_of_its_own_request(base, point):
+    """The quick way from a position to an address says what the long way through the request says."""
+    sweep = sweep_from_dict({"base": base, "points": [point]})
+    try:
+        request = sweep.request(0)
+    except ParameterError:
+        return  # numbers that do not go together: the point will carry the reason
+    assert isinstance(request, Simulation)
+    assert sweep.document(0) == canonical(request)
+    assert sweep.address(0) == content_hash([canonical(request), "float64", None])
+
+
+@given(overrides)
+def test_overlapping_sweeps_share_addresses(point):
+    alone = sweep_from_dict({"points": [point]})
+    among = sweep_from_dict({"points": [{"activation.ct": 0.123}, point]})
+    assert alone.address(0) == among.address(1) == among.part([1]).address(0)
+
+
+def test_a_point_is_the_base_where_it_says_nothing_else():
+    sweep = sweep_from_dict({"base": {"activation": {"ct": 0.7}}, "points": [{}, {"activation.ct": 0.7}]})
+    assert sweep.address(0) == sweep.address(1)
+
+
+def test_what_is_asked_otherwise_has_another_address():
+    asked = [{}, {"precision": "float32"}, {"measures": ["fo_hz"]}]
+    addresses = {sweep_from_dict({"points": [{}]} | extra).address(0) for extra in asked}
+    assert len(addresses) == 3
