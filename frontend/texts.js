@@ -3,6 +3,7 @@
 export const APP = {
   name: "Vocalis",
   use: "Adult male larynx; research and teaching, not a medical device.",
+  unencrypted: "Without encryption browsers keep live sound and the clipboard from a page. On the server, --tls-cert and --tls-key turn it on.",
   starting: "Preparing the model",
   startingWhy: "The first start compiles the equations for this machine: some ten seconds, once.",
   offline: "The server does not answer. Trying again…",
@@ -15,7 +16,7 @@ export const TOP = {
   variant: "Model",
   share: "Copy link",
   shared: "Link copied: it opens this voice.",
-  sharedFailed: "The link is in the address bar.",
+  sharedFailed: "The browser refused to copy; the link is in the address bar.",
   unknown: (names) => `The link names what is no parameter here: ${names.join(", ")}.`,
   toDark: "Dark theme",
   toLight: "Light theme",

@@ -1,9 +1,11 @@
 /** Name, voice, model, and the few things about the page itself. */
 import { html, useComputed } from "../ui.js";
+import { copyText } from "../copy.js";
 import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
 import { choosePreset, preset, schema, setValue, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
 import { APP, TOP, VARIANT_NAMES } from "../texts.js";
+import { linkOf } from "../url.js";
 import { Icon } from "./Icon.js";
 
 export function TopBar() {
@@ -12,7 +14,7 @@ export function TopBar() {
       <h1 class="brand"><${Icon} name="mark" />${APP.name}</h1>
       ${schema.value && html`<${Presets} />${!narrow.value && html`<${Variants} />`}`}
       <div class="top-tools">
-        <button class="quiet" type="button" aria-label=${TOP.share} onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
+        <button class="quiet" type="button" aria-label=${TOP.share} disabled=${!schema.value} onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
         <button class="icon" type="button" aria-label=${theme.value === "dark" ? TOP.toLight : TOP.toDark} title=${theme.value === "dark" ? TOP.toLight : TOP.toDark} onClick=${toggleTheme}>
           <${Icon} name=${theme.value === "dark" ? "sun" : "moon"} />
         </button>
@@ -49,11 +51,5 @@ export function Variants() {
 }
 
 async function share() {
-  try {
-    await navigator.clipboard.writeText(location.href);
-    showNotice(TOP.shared);
-  } catch {
-    // Without a secure context there is no clipboard; the address itself is the link.
-    showNotice(TOP.sharedFailed);
-  }
+  showNotice((await copyText(linkOf(schema.peek(), values.peek()))) ? TOP.shared : TOP.sharedFailed);
 }

@@ -7,7 +7,6 @@ import { TopBar } from "../controls/TopBar.js";
 import { narrow, open } from "../state/look.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
-import { APP } from "../texts.js";
 import { Detail } from "./Detail.js";
 import { HelpDialog } from "./HelpDialog.js";
 import { Login } from "./Login.js";
@@ -18,6 +17,7 @@ import { RightColumn } from "./RightColumn.js";
 import { Stage } from "./Stage.js";
 import { Starting } from "./Starting.js";
 import { Strip } from "./Strip.js";
+import { Use } from "./Use.js";
 
 const DIALOGS = { help: HelpDialog, measure: MeasureDialog, detail: Detail };
 
@@ -37,7 +37,7 @@ function Desk() {
   return html`
     <div class="desk">
       <${TopBar} />
-      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><p class="use">${APP.use}</p></aside>
+      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} /></aside>
       <main class="centre"><${Stage} /><${Maps} /></main>
       <${RightColumn} />
       <${Strip} />
