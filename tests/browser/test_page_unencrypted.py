@@ -5,7 +5,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from tests.browser.conftest import ARGUMENTS, CHROMIUM, DESK, server_process, sync_api
+from tests.browser.conftest import DESK, server_process
 from tests.browser.visit import Visit
 
 NAME = "larynx.test"
@@ -18,14 +18,10 @@ PASTED = """() => new Promise((done) => {
 
 
 @pytest.fixture(scope="module")
-def elsewhere():
+def elsewhere(launch):
     """(browser that finds the server under a name that is not localhost, address)."""
-    with (
-        server_process(VOCALIS_TOKEN="open-sesame", VOCALIS_ALLOWED_HOSTS=NAME) as address,
-        sync_api.sync_playwright() as playwright,
-    ):
-        rules = f"--host-resolver-rules=MAP {NAME} 127.0.0.1"
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=[*ARGUMENTS, rules])
+    with server_process(VOCALIS_TOKEN="open-sesame", VOCALIS_ALLOWED_HOSTS=NAME) as address:
+        browser = launch(f"--host-resolver-rules=MAP {NAME} 127.0.0.1")
         yield browser, f"http://{NAME}:{urlsplit(address).port}"
         browser.close()
 
