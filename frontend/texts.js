@@ -3,6 +3,7 @@
 export const APP = {
   name: "Vocalis",
   use: "Adult male larynx; research and teaching, not a medical device.",
+  unencryptedShort: "Live sound needs TLS here.",
   unencrypted: "Without encryption browsers keep live sound and the clipboard from a page. On the server, --tls-cert and --tls-key turn it on.",
   starting: "Preparing the model",
   startingWhy: "The first start compiles the equations for this machine: some ten seconds, once.",

@@ -37,7 +37,7 @@ function Desk() {
   return html`
     <div class="desk">
       <${TopBar} />
-      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} /></aside>
+      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} short=${true} /></aside>
       <main class="centre"><${Stage} /><${Maps} /></main>
       <${RightColumn} />
       <${Strip} />

@@ -9,6 +9,7 @@ from tests.browser.conftest import DESK, server_process
 from tests.browser.visit import Visit
 
 NAME = "larynx.test"
+OVERFLOW = "(() => { const left = document.querySelector('.left'); return left.scrollHeight - left.clientHeight; })()"
 PASTED = """() => new Promise((done) => {
   const field = document.createElement("textarea");
   document.body.append(field);
@@ -36,17 +37,20 @@ def test_a_shared_link_survives_the_way_in_and_the_page_says_what_needs_tls(else
     here.settle()
     assert here.typed("Cricothyroid (CT)").input_value() == "0.50"
     assert not here.page.evaluate("isSecureContext")
-    assert "--tls-cert" in here.page.locator(".left .use").inner_text()
+    assert "Live sound needs TLS here." in here.page.locator(".left .use").inner_text()
+    assert here.page.evaluate(OVERFLOW) == 0, "the line finds room"
     here.page.get_by_role("button", name="Copy link").click()
     assert "Link copied" in here.page.locator(".notice").inner_text()
     assert here.page.evaluate("document.activeElement.textContent").strip() == "Copy link", "the focus stays"
     pasted = here.page.evaluate_handle(f"() => ({{ text: ({PASTED})() }})")
     here.page.keyboard.press("Control+V")
     assert pasted.evaluate("async (held) => await held.text") == f"{address}/?activation.ct=0.5"
+    here.page.keyboard.press("?")
+    assert "--tls-cert" in here.page.get_by_role("dialog").inner_text(), "the help says what to do about it"
     assert here.complaints == [] and here.strangers == []
     here.context.close()
 
 
 def test_on_this_machine_the_page_does_not_speak_of_tls(visit):
     here = visit()
-    assert "--tls-cert" not in here.page.locator(".left .use").inner_text()
+    assert "TLS" not in here.page.locator(".left .use").inner_text()
