@@ -1,7 +1,7 @@
 /** Calls to the server. Every refusal becomes a `Problem` that says what the server said. */
 import { decodeResult } from "./octets.js";
 
-const BASE = new URL("api/v1/", document.baseURI);
+const BASE = new URL("api/v1/", import.meta.url);
 
 /** A refused or failed call. `fields`: [{path, message, allowed}] of the request, empty when it is not about a field. */
 export class Problem extends Error {

@@ -1,11 +1,11 @@
 /** What the hand does goes to the server by itself: posture and voice, newest wins, and comes back on the page. */
 import { effect } from "./ui.js";
-import { Problem, postJson, simulate } from "./api.js";
+import { Problem } from "./api.js";
 import { afterPaint } from "./frame.js";
 import { Lane } from "./lane.js";
 import { recordInput, recordShown } from "./latency.js";
 import { postureRequest, simulationRequest } from "./params.js";
-import { LIVE_ARRAYS, makeResult } from "./result.js";
+import { ask } from "./stagehand.js";
 import { takePosture, takeProblem, takeResult } from "./state/outcome.js";
 import { gesture, schema, values, version } from "./state/request.js";
 import { connection, setConnection } from "./state/session.js";
@@ -28,7 +28,7 @@ export function followRequest() {
     if (job.version === version.peek()) takeProblem(call, error, job.version);
   };
   const postures = new Lane(
-    (job) => postJson("posture", job.postureBody),
+    (job) => ask("posture", job.postureBody),
     (answer, job) => {
       setConnection("ready");
       takePosture(answer, job.gesture);
@@ -37,9 +37,9 @@ export function followRequest() {
     failed("posture"),
   );
   const voices = new Lane(
-    (job) => simulate(job.body, LIVE_ARRAYS),
+    (job) => ask("voice", job.body),
     (answer, job) => {
-      takeResult(makeResult(answer), job.version);
+      takeResult(answer, job.version);
       afterPaint(() => recordShown("slider to all", job.version));
     },
     failed("voice"),

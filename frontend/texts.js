@@ -3,6 +3,8 @@
 export const APP = {
   name: "Vocalis",
   use: "Adult male larynx; research and teaching, not a medical device.",
+  unencryptedShort: "Live sound needs TLS here.",
+  unencrypted: "Without encryption browsers keep live sound and the clipboard from a page. On the server, --tls-cert and --tls-key turn it on.",
   starting: "Preparing the model",
   startingWhy: "The first start compiles the equations for this machine: some ten seconds, once.",
   offline: "The server does not answer. Trying again…",
@@ -17,7 +19,7 @@ export const TOP = {
   instrument: "Instrument",
   share: "Copy link",
   shared: "Link copied: it opens this voice.",
-  sharedFailed: "The link is in the address bar.",
+  sharedFailed: "The browser refused to copy; the link is in the address bar.",
   unknown: (names) => `The link names what is no parameter here: ${names.join(", ")}.`,
   toDark: "Dark theme",
   toLight: "Light theme",

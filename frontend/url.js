@@ -28,6 +28,14 @@ export function writeQuery(knownSchema, allValues, openSection = null) {
   return query.toString();
 }
 
+/** The address of these settings, at once: the address bar follows a moment later. */
+export function linkOf(knownSchema, allValues) {
+  const here = new URL(location.href);
+  here.search = writeQuery(knownSchema, allValues);
+  here.hash = "";
+  return here.href;
+}
+
 /** Starts keeping the address; returns the end of it. */
 export function followUrl() {
   let waiting = 0;

@@ -91,7 +91,9 @@ def _refusal(connection: HTTPConnection, error: Refused) -> Response | None:
         return None
     wants_page = "text/html" in connection.headers.get("accept", "")
     if isinstance(error, NotAuthorised) and wants_page and not changes_something(connection):
-        return RedirectResponse(LOGIN, 303)
+        # The query is the voice of a shared link; /login hands it to the page and to nothing else.
+        query = connection.url.query if connection.url.path == "/" else ""
+        return RedirectResponse(f"{LOGIN}?{query}" if query else LOGIN, 303)
     return answer(error)
 
 

@@ -215,7 +215,7 @@ def signals_of(
         length_m=c.length_m,
         strain=posture.strain,
         glottal_half_angle_rad=posture.glottal_half_angle_rad,
-        gap_m=2.0 * posture.half_gap_m,
+        gap_m=2.0 * c.length_m * np.tan(posture.glottal_half_angle_rad),
         medial_area_m2=c.length_m * c.thickness_m,
         air_density_kg_m3=request.constants.rho_a_kg_m3,
         sound_speed_m_s=request.constants.c_a_m_s,

@@ -1,10 +1,12 @@
 /** Name, voice, model, and the few things about the page itself. */
 import { html, useComputed } from "../ui.js";
+import { copyText } from "../copy.js";
 import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
 import { section, setSection } from "../state/paper.js";
 import { choosePreset, preset, schema, setValue, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
 import { APP, TOP, VARIANT_NAMES } from "../texts.js";
+import { linkOf } from "../url.js";
 import { Icon } from "./Icon.js";
 
 export function TopBar() {
@@ -14,7 +16,7 @@ export function TopBar() {
       ${schema.value && html`<${Presets} />${!narrow.value && html`<${Variants} />`}`}
       <div class="top-tools">
         <button class="quiet paper-button" type="button" aria-pressed=${section.value !== null} onClick=${() => setSection(section.value ? null : "static")}>${section.value ? TOP.instrument : TOP.paper}</button>
-        <button class="quiet" type="button" aria-label=${TOP.share} onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
+        <button class="quiet" type="button" aria-label=${TOP.share} disabled=${!schema.value} onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
         <button class="icon" type="button" aria-label=${theme.value === "dark" ? TOP.toLight : TOP.toDark} title=${theme.value === "dark" ? TOP.toLight : TOP.toDark} onClick=${toggleTheme}>
           <${Icon} name=${theme.value === "dark" ? "sun" : "moon"} />
         </button>
@@ -51,11 +53,5 @@ export function Variants() {
 }
 
 async function share() {
-  try {
-    await navigator.clipboard.writeText(location.href);
-    showNotice(TOP.shared);
-  } catch {
-    // Without a secure context there is no clipboard; the address itself is the link.
-    showNotice(TOP.sharedFailed);
-  }
+  showNotice((await copyText(linkOf(schema.peek(), values.peek()))) ? TOP.shared : TOP.sharedFailed);
 }

@@ -8,7 +8,6 @@ import { narrow, open } from "../state/look.js";
 import { section } from "../state/paper.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
-import { APP } from "../texts.js";
 import { Detail } from "./Detail.js";
 import { HelpDialog } from "./HelpDialog.js";
 import { Login } from "./Login.js";
@@ -20,6 +19,7 @@ import { RightColumn } from "./RightColumn.js";
 import { Stage } from "./Stage.js";
 import { Starting } from "./Starting.js";
 import { Strip } from "./Strip.js";
+import { Use } from "./Use.js";
 
 const DIALOGS = { help: HelpDialog, measure: MeasureDialog, detail: Detail };
 
@@ -39,7 +39,7 @@ function Desk() {
   return html`
     <div class="desk">
       <${TopBar} />
-      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><p class="use">${APP.use}</p></aside>
+      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} short=${true} /></aside>
       <main class="centre"><${Stage} /><${Maps} /></main>
       <${RightColumn} />
       <${Strip} />

@@ -1,7 +1,8 @@
 /** The keys, and how to read the page. */
 import { html } from "../ui.js";
-import { APP, HELP } from "../texts.js";
+import { HELP } from "../texts.js";
 import { Dialog } from "./Dialog.js";
+import { Use } from "./Use.js";
 
 export function HelpDialog() {
   return html`
@@ -9,7 +10,7 @@ export function HelpDialog() {
       <dl class="keys">${HELP.keys.map(([key, what]) => html`<dt><kbd>${key}</kbd></dt><dd>${what}</dd>`)}</dl>
       <h3>${HELP.howTitle}</h3>
       ${HELP.how.map((text) => html`<p>${text}</p>`)}
-      <p class="caution">${APP.use}</p>
+      <${Use} />
     <//>
   `;
 }

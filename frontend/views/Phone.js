@@ -7,7 +7,7 @@ import { SoundControls } from "../controls/SoundControls.js";
 import { TopBar, Variants } from "../controls/TopBar.js";
 import { setTab, tab } from "../state/look.js";
 import { result } from "../state/outcome.js";
-import { APP, HEADLINES, RUN, TABS } from "../texts.js";
+import { HEADLINES, RUN, TABS } from "../texts.js";
 import { Headline } from "./Headline.js";
 import { LongRun } from "./LongRun.js";
 import { Maps } from "./Maps.js";
@@ -18,6 +18,7 @@ import { PostureLine } from "./PostureLine.js";
 import { Shapes } from "./Shapes.js";
 import { Stage } from "./Stage.js";
 import { TabList } from "./TabList.js";
+import { Use } from "./Use.js";
 import { Waves } from "./Waves.js";
 
 const CONTENT = {
@@ -25,7 +26,7 @@ const CONTENT = {
   play: () => html`<${Play} />`,
   waves: () => html`<${Waves} /><${Shapes} /><${Maps} />`,
   numbers: () => html`<div class="headlines">${HEADLINES.map((item) => html`<${Headline} key=${item.key} item=${item} shown=${result.value} />`)}</div><${MeasureTable} />`,
-  more: () => html`<${SoundControls} /><${Variants} /><h2>${RUN.title}</h2><${LongRun} /><p class="use">${APP.use}</p>`,
+  more: () => html`<${SoundControls} /><${Variants} /><h2>${RUN.title}</h2><${LongRun} /><${Use} />`,
 };
 
 export function Phone() {

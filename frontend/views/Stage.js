@@ -2,7 +2,7 @@
  * The body: both folds from above, moving in slow motion, between cartilages and muscles. What the posture decides is
  * painted once, the folds in every frame.
  */
-import { computed, html } from "../ui.js";
+import { computed, html, untracked } from "../ui.js";
 import { muscleOf, musclePaths } from "../state/muscles.js";
 import { anatomyOf, drawBackdrop, drawCartilages, drawMuscles, drawPosteriorGap, strands } from "../plots/anatomy-draw.js";
 import { Layer } from "../plots/canvas.js";
@@ -54,7 +54,8 @@ const still = computed(() => {
     orientation: orientation.value,
     withAnatomy: musclesShown.value,
     anatomy: anatomyOf(rest.lengthMm, answered.posture.glottal_half_angle_rad),
-    activation: Object.fromEntries(musclePaths().map((path) => [muscleOf(path), values.value[path]])),
+    // With the posture, not before it: one picture a movement instead of two.
+    activation: untracked(() => Object.fromEntries(musclePaths().map((path) => [muscleOf(path), values.value[path]]))),
     names: Object.fromEntries(musclePaths().map((path) => [muscleOf(path), schema.value.parameters.get(path).short])),
     rest,
   };

@@ -8,7 +8,7 @@ async function signIn(token) {
     headers: { "Content-Type": "application/json" },
     body: JSON.stringify({ token }),
   });
-  if (response.ok) location.replace("/");
+  if (response.ok) location.replace(`/${location.search}`) // the page, with the voice of a shared link;
   else message.textContent = (await response.json()).detail;
 }
 
@@ -20,6 +20,6 @@ form.addEventListener("submit", (event) => {
 // The link in the terminal carries the token after the #, which browsers keep to themselves.
 if (location.hash.length > 1) {
   const token = decodeURIComponent(location.hash.slice(1));
-  history.replaceState(null, "", location.pathname);
+  history.replaceState(null, "", location.pathname + location.search);
   signIn(token);
 }

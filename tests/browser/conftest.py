@@ -69,12 +69,18 @@ def server() -> Iterator[str]:
 
 
 @pytest.fixture(scope="session")
-def chromium():
+def launch():
+    """``launch(argument, …)`` starts a Chromium with further arguments."""
+    path = CHROMIUM if Path(CHROMIUM).exists() else None
     with sync_api.sync_playwright() as playwright:
-        path = CHROMIUM if Path(CHROMIUM).exists() else None
-        browser = playwright.chromium.launch(executable_path=path, args=ARGUMENTS)
-        yield browser
-        browser.close()
+        yield lambda *further: playwright.chromium.launch(executable_path=path, args=[*ARGUMENTS, *further])
+
+
+@pytest.fixture(scope="session")
+def chromium(launch):
+    browser = launch()
+    yield browser
+    browser.close()
 
 
 @pytest.fixture

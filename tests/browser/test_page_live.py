@@ -91,22 +91,37 @@ def test_reduced_motion_is_honoured(visit):
     assert here.picture("stage") == first
 
 
+#: Where the hand goes: (control, from, to) in shares of its track. No two movements ask for the same voice, so that
+#: none is answered from what the server keeps.
+SWEEPS = [
+    ("activation.ct", 0.30, 0.78),
+    ("activation.ta", 0.40, 0.88),
+    ("activation.lca", 0.80, 0.32),
+    ("activation.ia", 0.80, 0.32),
+    ("subglottal_pressure_pa", 0.30, 0.78),
+]
+MOVES = 40
+BETWEEN_MS = 20
+PILED_UP_MS = 3000  # 200 voices in line would take longer; a machine busy with other work does not
+
+
 def test_how_long_a_movement_takes(visit, capsys):
     """Prints what the page measures of itself; the bounds only say that nothing piles up on a busy machine."""
     here = visit()
-    box = here.slider("activation.ct").bounding_box()
-    y = box["y"] + box["height"] / 2
     here.page.evaluate("performance.clearMeasures()")
-    here.page.mouse.move(box["x"] + 0.78 * box["width"], y)
-    here.page.mouse.down()
-    for k in range(200):
-        here.page.mouse.move(box["x"] + (0.3 + 0.012 * abs(k % 80 - 40)) * box["width"], y)
-        here.page.wait_for_timeout(20)
-    here.page.mouse.up()
+    for path, first, last in SWEEPS:
+        box = here.slider(path).bounding_box()
+        y = box["y"] + box["height"] / 2
+        here.page.mouse.move(box["x"] + first * box["width"], y)
+        here.page.mouse.down()
+        for k in range(1, MOVES + 1):
+            here.page.mouse.move(box["x"] + (first + (last - first) * k / MOVES) * box["width"], y)
+            here.page.wait_for_timeout(BETWEEN_MS)
+        here.page.mouse.up()
     here.settle()
-    for name, generous_ms in (("slider to shape", 500), ("slider to all", 800)):
+    for name in ("slider to shape", "slider to all"):
         times = sorted(here.page.evaluate("n => performance.getEntriesByName(n).map((e) => e.duration)", name))
         p50, p95 = times[len(times) // 2], times[int(0.95 * (len(times) - 1))]
         with capsys.disabled():
             print(f"\n{name}: {len(times)} movements, p50 {p50:.0f} ms, p95 {p95:.0f} ms, max {times[-1]:.0f} ms")
-        assert len(times) > 150 and p95 < generous_ms
+        assert len(times) > 150 and p95 < PILED_UP_MS

@@ -45,6 +45,8 @@ def test_health_stays_open(closed):
 def test_the_page_and_its_files_ask_for_the_token_too(closed):
     page = httpx.get(closed.url, headers={"Accept": "text/html"})
     assert page.status_code == 303 and page.headers["location"] == "/login"
+    shared = httpx.get(f"{closed.url}/?activation.ct=0.5&vowel=i", headers={"Accept": "text/html"})
+    assert shared.headers["location"] == "/login?activation.ct=0.5&vowel=i", "a shared link keeps its voice"
     for path in ("/", "/main.js", "/vendor/plotly.min.js"):
         assert httpx.get(closed.url + path).status_code == 401
     for path in ("/login", "/login.js", "/login.css"):

@@ -347,7 +347,7 @@ ROWS = (
     MeasureSpec(
         key="gap_mm", symbol="2 L tan θ_g", name="posterior gap", unit="mm", group=POSTURE_GROUP, signal=POSTURE,
         decimals=2,
-        definition="Full distance between the two vocal processes in this posture.",
+        definition="Full distance between the posterior ends of the two folds at rest, for the vibrating fold's L.",
         formula="2 L tan θ_g",
         source=PAPER,
         needs=Needs.NOTHING, compute=lambda a: float(a.signals.gap_m * 1e3),

@@ -42,7 +42,7 @@ class Signals:
     - ``contact_pressure_max_pa``: largest contact pressure over the medial surface at each time, Pa; 0 without contact.
     - ``contact_location``: x/L of that largest pressure, 0 anterior, 1 posterior; NaN without contact.
     - ``contact_area_m2``: area of the medial surface in contact, m².
-    - ``gap_m``: full distance between the two vocal processes (both folds), m.
+    - ``gap_m``: full distance between the posterior ends of the vibrating folds at rest, 2 L tan θ_g, m.
     - ``medial_area_m2``: area of one medial surface, L·b, m².
 
     Raises ParameterError for waves of unequal length or with values that are not finite.

@@ -1,0 +1,103 @@
+"""How long the calls behind the page take, alone and while jobs keep every worker process busy.
+
+``python -m vocalis_bench.interactive`` starts a server of its own and prints one row a call. Every request differs from
+all before it, so that none is answered from what the server keeps.
+"""
+
+import argparse
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import httpx
+import numpy as np
+
+CALLS = 100
+RUN_S = 0.5
+BUSY_S = 60.0  # simulated; at the paper's step some half a minute of work each
+PAPER_STEP_S = 1.7857142857142857e-6
+READY_WITHIN_S = 180
+#: Milliseconds within which a call must answer, jobs or not.
+POSTURE_MS, RUN_MS = 20.0, 60.0
+
+
+@contextmanager
+def server() -> Iterator[httpx.Client]:
+    """A client of a server of its own process, ready to compute."""
+    command = [sys.executable, "-m", "vocalis_server", "--port", "0"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    try:
+        address = re.search(r"https?://[^\s/#]+", process.stdout.readline())[0]
+        with httpx.Client(base_url=f"{address}/api/v1", timeout=60) as client:
+            deadline = time.monotonic() + READY_WITHIN_S
+            while not client.get("/health").json()["ready"]:
+                if time.monotonic() > deadline:
+                    raise TimeoutError(f"the kernels were not compiled within {READY_WITHIN_S} s")
+                time.sleep(0.1)
+            yield client
+    finally:
+        process.terminate()
+        process.wait(20)
+
+
+def posture(client: httpx.Client, ct: float) -> httpx.Response:
+    return client.post("/posture", json={"activation": {"ct": ct}})
+
+
+def run(client: httpx.Client, ct: float) -> httpx.Response:
+    """Half a second of voice with all its arrays."""
+    body = {"activation": {"ct": ct}, "run": {"duration_s": RUN_S}}
+    return client.post("/simulate", json=body, headers={"Accept": "application/octet-stream"})
+
+
+def milliseconds(call: Callable, client: httpx.Client, offset: float) -> np.ndarray:
+    """Each of CALLS calls, client to client."""
+    times = []
+    for k in range(CALLS):
+        began = time.perf_counter()
+        call(client, offset + k / (2 * CALLS)).raise_for_status()
+        times.append(1e3 * (time.perf_counter() - began))
+    return np.array(times)
+
+
+@contextmanager
+def busy(client: httpx.Client) -> Iterator[int]:
+    """As many long jobs as the server has workers; dismissed at the end."""
+    workers = client.get("/health").json()["engine"]["workers"]
+    request = {"run": {"duration_s": BUSY_S, "time_step_s": PAPER_STEP_S}}
+    jobs = [client.post("/jobs", json=request | {"subglottal_pressure_pa": 900 + k}).json() for k in range(workers)]
+    while any(client.get(f"/jobs/{job['id']}").json()["progress"] == 0 for job in jobs):
+        time.sleep(0.1)
+    yield workers
+    for job in jobs:
+        client.delete(f"/jobs/{job['id']}")
+
+
+def report(name: str, times: np.ndarray, wanted_ms: float) -> bool:
+    p50, p95 = np.percentile(times, [50, 95])
+    print(f"{name:38} p50 {p50:6.1f}  p95 {p95:6.1f}  max {times.max():6.1f}  wanted p95 < {wanted_ms:g}", flush=True)
+    return p95 < wanted_ms
+
+
+def main() -> int:
+    """0 when every call keeps within its bound."""
+    argparse.ArgumentParser(prog="python -m vocalis_bench.interactive", description=__doc__).parse_args()
+    with server() as client:
+        posture(client, 0.3), run(client, 0.3)
+        kept = [
+            report("posture", milliseconds(posture, client, 0.001), POSTURE_MS),
+            report("0.5 s, all arrays", milliseconds(run, client, 0.001), RUN_MS),
+        ]
+        with busy(client) as jobs:
+            kept += [
+                report(f"posture, {jobs} job(s) running", milliseconds(posture, client, 0.002), POSTURE_MS),
+                report(f"0.5 s, all arrays, {jobs} job(s) running", milliseconds(run, client, 0.002), RUN_MS),
+            ]
+    return 0 if all(kept) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,56 @@
+"""The page by another name than localhost and without TLS: what browsers then withhold is said, the rest works."""
+
+import re
+from urllib.parse import urlsplit
+
+import pytest
+
+from tests.browser.conftest import DESK, server_process
+from tests.browser.visit import Visit
+
+NAME = "larynx.test"
+OVERFLOW = "(() => { const left = document.querySelector('.left'); return left.scrollHeight - left.clientHeight; })()"
+PASTED = """() => new Promise((done) => {
+  const field = document.createElement("textarea");
+  document.body.append(field);
+  field.focus();
+  field.addEventListener("input", () => { done(field.value); field.remove(); });
+})"""
+
+
+@pytest.fixture(scope="module")
+def elsewhere(launch):
+    """(browser that finds the server under a name that is not localhost, address)."""
+    with server_process(VOCALIS_TOKEN="open-sesame", VOCALIS_ALLOWED_HOSTS=NAME) as address:
+        browser = launch(f"--host-resolver-rules=MAP {NAME} 127.0.0.1")
+        yield browser, f"http://{NAME}:{urlsplit(address).port}"
+        browser.close()
+
+
+def test_a_shared_link_survives_the_way_in_and_the_page_says_what_needs_tls(elsewhere):
+    browser, address = elsewhere
+    here = Visit(browser.new_context(viewport=DESK), address)
+    here.expected = re.compile("Cross-Origin-Opener-Policy")  # ignored by browsers without TLS, and said so
+    here.open("?activation.ct=0.5")
+    here.page.get_by_label("Token").fill("open-sesame")
+    here.page.keyboard.press("Enter")
+    here.settle()
+    assert here.typed("Cricothyroid (CT)").input_value() == "0.50"
+    assert not here.page.evaluate("isSecureContext")
+    assert "Live sound needs TLS here." in here.page.locator(".left .use").inner_text()
+    assert here.page.evaluate(OVERFLOW) == 0, "the line finds room"
+    here.page.get_by_role("button", name="Copy link").click()
+    assert "Link copied" in here.page.locator(".notice").inner_text()
+    assert here.page.evaluate("document.activeElement.textContent").strip() == "Copy link", "the focus stays"
+    pasted = here.page.evaluate_handle(f"() => ({{ text: ({PASTED})() }})")
+    here.page.keyboard.press("Control+V")
+    assert pasted.evaluate("async (held) => await held.text") == f"{address}/?activation.ct=0.5"
+    here.page.keyboard.press("?")
+    assert "--tls-cert" in here.page.get_by_role("dialog").inner_text(), "the help says what to do about it"
+    assert here.complaints == [] and here.strangers == []
+    here.context.close()
+
+
+def test_on_this_machine_the_page_does_not_speak_of_tls(visit):
+    here = visit()
+    assert "TLS" not in here.page.locator(".left .use").inner_text()
