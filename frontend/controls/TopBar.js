@@ -4,6 +4,8 @@ import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
 import { choosePreset, preset, schema, setValue, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
 import { APP, TOP, VARIANT_NAMES } from "../texts.js";
+import { KEEP } from "../texts-views.js";
+import { HistoryTools } from "./HistoryTools.js";
 import { Icon } from "./Icon.js";
 
 export function TopBar() {
@@ -12,6 +14,8 @@ export function TopBar() {
       <h1 class="brand"><${Icon} name="mark" />${APP.name}</h1>
       ${schema.value && html`<${Presets} />${!narrow.value && html`<${Variants} />`}`}
       <div class="top-tools">
+        ${schema.value && !narrow.value && html`<${HistoryTools} />`}
+        <button class="quiet keep" type="button" title=${KEEP.openHelp} onClick=${() => openDialog("keep")}><${Icon} name="keep" /><span>${KEEP.open}</span></button>
         <button class="quiet" type="button" aria-label=${TOP.share} onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
         <button class="icon" type="button" aria-label=${theme.value === "dark" ? TOP.toLight : TOP.toDark} title=${theme.value === "dark" ? TOP.toLight : TOP.toDark} onClick=${toggleTheme}>
           <${Icon} name=${theme.value === "dark" ? "sun" : "moon"} />

@@ -7,19 +7,24 @@ import { TopBar } from "../controls/TopBar.js";
 import { narrow, open } from "../state/look.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
+import { lesson } from "../state/lessons.js";
 import { APP } from "../texts.js";
+import { CodeDialog } from "./CodeDialog.js";
 import { Detail } from "./Detail.js";
 import { HelpDialog } from "./HelpDialog.js";
+import { KeepDialog } from "./KeepDialog.js";
+import { LessonCard } from "./LessonCard.js";
 import { Login } from "./Login.js";
 import { Maps } from "./Maps.js";
 import { MeasureDialog } from "./MeasureDialog.js";
 import { Phone } from "./Phone.js";
+import { ReportDialog } from "./ReportDialog.js";
 import { RightColumn } from "./RightColumn.js";
 import { Stage } from "./Stage.js";
 import { Starting } from "./Starting.js";
 import { Strip } from "./Strip.js";
 
-const DIALOGS = { help: HelpDialog, measure: MeasureDialog, detail: Detail };
+const DIALOGS = { help: HelpDialog, measure: MeasureDialog, detail: Detail, keep: KeepDialog, code: CodeDialog, report: ReportDialog };
 
 /** `entered()` is called when the server has taken a token. */
 export function App({ entered }) {
@@ -38,7 +43,7 @@ function Desk() {
     <div class="desk">
       <${TopBar} />
       <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><p class="use">${APP.use}</p></aside>
-      <main class="centre"><${Stage} /><${Maps} /></main>
+      <main class="centre"><${Stage} />${lesson.value ? html`<${LessonCard} />` : html`<${Maps} />`}</main>
       <${RightColumn} />
       <${Strip} />
     </div>

@@ -1,17 +1,27 @@
-/** The right column: waves, all measures, or a longer run. */
+/** The right column: one of the ways to look at what came out. */
 import { html } from "../ui.js";
 import { panel, setPanel } from "../state/look.js";
 import { PANELS } from "../texts.js";
+import { ComparePanel } from "./ComparePanel.js";
+import { FoldsPanel } from "./FoldsPanel.js";
+import { HistoryList } from "./HistoryList.js";
+import { LessonList } from "./LessonList.js";
 import { LongRun } from "./LongRun.js";
 import { MeasureTable } from "./MeasureTable.js";
 import { Shapes } from "./Shapes.js";
 import { TabList } from "./TabList.js";
+import { VoicePanel } from "./VoicePanel.js";
 import { Waves } from "./Waves.js";
 
-const CONTENT = {
+/** What stands under each tab; the phone shows some of them too. */
+export const CONTENT = {
   waves: () => html`<${Waves} /><${Shapes} />`,
+  voice: () => html`<${VoicePanel} />`,
+  folds: () => html`<${FoldsPanel} />`,
+  compare: () => html`<${ComparePanel} />`,
   measures: () => html`<${MeasureTable} />`,
-  run: () => html`<${LongRun} />`,
+  lessons: () => html`<${LessonList} />`,
+  run: () => html`<${LongRun} /><${HistoryList} />`,
 };
 
 export function RightColumn() {

@@ -35,7 +35,7 @@ export function Stage({ compact = false }) {
       </div>
       ${!compact && html`<${PostureLine} />`}
       <div class="stage-view">
-        <${Picture} name="stage" model=${stageModel} paint=${stagePainter()} ground=${groundOf} label=${STAGE.picture} />
+        <${Picture} name="stage" title=${STAGE.title} model=${stageModel} paint=${stagePainter()} ground=${groundOf} label=${STAGE.picture} />
         ${!compact && html`<${Legend} /><${Closure} />`}
       </div>
       <${Transport} />
@@ -74,6 +74,15 @@ function movingFolds({ fields }) {
   const along = contactAlong(fields, fieldAt(fields, "contact", now));
   return { edges: foldEdges(fields, fieldAt(fields, "w", now)), contact: along.map((p) => p / fields.contactRange.max) };
 }
+
+/** The stage in other colours, to be kept or printed; null before the first posture. */
+export function paperStage(colours) {
+  const model = stageModel();
+  return model && { ...model, still: { ...model.still, colours } };
+}
+
+/** Paint a stage model without layers. */
+export const paintStage = (context, box, model) => stagePainter()(context, box, model);
 
 function stagePainter() {
   const behind = new Layer();
