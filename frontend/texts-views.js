@@ -1,13 +1,13 @@
 /** Words of the deeper views: voice, folds, comparison, history, lessons, files and report. */
 
 export const VOICE = {
-  spectrum: "Spectrum of the radiated pressure",
+  spectrum: "Spectrum of the sound",
   spectrumPicture: "Level over frequency with the harmonics of the voice and the resonances of the vocal tract",
   spectrogram: "Spectrogram of the run",
   spectrogramPicture: "Level over time and frequency, from the onset to the end of the run",
   tract: "Area of the vocal tract",
   tractPicture: "Cross-section of the vocal tract from the glottis to the lips",
-  level: "dB re 20 µPa",
+  level: "dB SPL",
   hertz: "frequency (kHz)",
   area: "cm²",
   along: "cm from the glottis",
@@ -48,13 +48,13 @@ export const COMPARE = {
   heldMark: "held",
   start: "Hold a voice as A, then change something. What you see is B until you hold that too.",
   hear: { a: "Hear A", b: "Hear B", turn: "In turn" },
-  hearHelp: "Both at equal loudness (A-weighted)",
+  hearHelp: "at equal loudness",
   stop: "Stop",
-  differs: "Settings that differ",
+  state: "State",
   sameSettings: "A and B have the same settings.",
   measure: "Measure",
   difference: "B − A",
-  waves: "One cycle of each, from the moment of closing",
+  waves: "One cycle, from closing",
   picture: "Waves of A and B over one cycle, one above the other",
   difPicture: "B minus A",
   cycle: "share of the cycle",
@@ -62,6 +62,7 @@ export const COMPARE = {
   modeName: "How the waves are compared",
   back: "Go back to A",
   none: "–",
+  short: { min_flow_ml_s: "Minimum flow", mfdr_l_s2: "Flow declination", h1_h2_sound_db: "Harmonics, sound", gap_mm: "Posterior gap" },
 };
 
 export const HISTORY = {
@@ -114,7 +115,7 @@ export const REPORT = {
   notesHelp: "Kept in this browser only. Write nothing about a patient.",
   stage: "Glottis from above",
   waves: "Waves",
-  defaults: "All settings at their defaults.",
+  milliseconds: "time in ms",
   made: (model, code, when) => `Model ${model}, Vocalis ${code}, ${when}.`,
   again: "Opens this voice again:",
 };

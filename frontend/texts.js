@@ -130,7 +130,7 @@ export const SHAPES = {
   picture: "Distance of the fold’s edges from the midline along its length: static, most open, most closed",
 };
 
-export const PANELS = { waves: "Waves", voice: "Voice", folds: "Folds", compare: "A / B", measures: "Measures", lessons: "Lessons", run: "Runs" };
+export const PANELS = { waves: "Waves", voice: "Spectrum", folds: "Folds", compare: "A / B", measures: "Measures", lessons: "Lessons", run: "Runs" };
 export const TABS = { muscles: "Muscles", waves: "Waves", numbers: "Numbers", more: "More" };
 
 export const STATES = {

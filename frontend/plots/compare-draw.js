@@ -17,7 +17,7 @@ export function drawComparison(context, box, { a, b, mode, colours, names }, uni
     const field = { left: 2.9 * unit, right: box.width - 0.7 * unit, top: row * height + 1.35 * unit, bottom: (row + 1) * height - gap };
     const last = row === COMPARED.length - 1;
     const { x, y, inside } = drawFrame(
-      context, field, { x: { limits: [0, 1], label: "", most: last ? 5 : 0.5 }, y: { limits: [low || 0, high], label: `${names[key]}, ${of}`, most: 3 } }, colours, font,
+      context, field, { x: { limits: [0, 1], label: "", most: last ? 5 : 0 }, y: { limits: [low || 0, high], label: `${names[key]}, ${of}`, most: 3 } }, colours, font,
     ); // prettier-ignore
     inside(() => {
       for (const [values, colour] of shown) strokePoints(context, Array.from(values, (v, k) => [x(k / (values.length - 1)), y(v)]), colour, { width: 1.9 });

@@ -10,7 +10,7 @@ export const fieldIn = (box, unit, { left = 2.9, right = 0.7, top = 1.35, bottom
 });
 
 /**
- * Paint both axes; answers {x(value), y(value), inside(paint)}. `x`, `y`: {limits: [low, high], label, most}; labels
+ * Paint both axes; answers {x(value), y(value), inside(paint)}. `x`, `y`: {limits: [low, high], label, most} (most 0: no ticks); labels
  * stand at the ends of their axes.
  */
 export function drawFrame(context, field, { x, y }, colours, font) {
@@ -28,8 +28,9 @@ export function drawFrame(context, field, { x, y }, colours, font) {
   }
   context.textAlign = "center";
   context.textBaseline = "top";
-  const stepX = niceStep(x.limits[1] - x.limits[0], x.most ?? 6);
-  for (const mark of ticks(...x.limits, x.most ?? 6)) {
+  const most = x.most ?? 6;
+  const stepX = most && niceStep(x.limits[1] - x.limits[0], most);
+  for (const mark of most ? ticks(...x.limits, most) : []) {
     context.fillStyle = colours.grid;
     context.fillRect(Math.round(px(mark)), field.top, 0.75, field.bottom - field.top);
     context.fillStyle = colours.inkSoft;
@@ -37,7 +38,7 @@ export function drawFrame(context, field, { x, y }, colours, font) {
   }
   context.textAlign = "left";
   context.textBaseline = "bottom";
-  context.fillText(y.label, Math.max(2, field.left - 30), field.top - 5);
+  context.fillText(y.label, Math.max(2, field.left - 30), field.top - (field.left / 2.9) * 0.45);
   context.textAlign = "right";
   context.textBaseline = "bottom";
   context.fillText(x.label, field.right, field.bottom + (field.left / 2.9) * 2.15);

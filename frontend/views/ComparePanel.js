@@ -15,7 +15,8 @@ import { valueText } from "./measure-text.js";
 import { Picture } from "./Picture.js";
 import { differingSettings, valueOf } from "./settings-text.js";
 
-const ROWS = [...HEADLINES.map(({ key }) => key), "min_flow_ml_s", "mfdr_l_s2", "h1_h2_sound_db", "gap_mm"];
+const SHORT = { ...Object.fromEntries(HEADLINES.map(({ key, label }) => [key, label])), ...COMPARE.short };
+const ROWS = Object.keys(SHORT);
 
 const cycleA = computed(() => held.value.a && cycleOf(held.value.a.result));
 const cycleB = computed(() => {
@@ -54,7 +55,7 @@ function Pair({ a, b, live }) {
     <table class="compare-table">
       <thead><tr><th scope="col">${COMPARE.measure}</th><th scope="col" class="mark-a">A</th><th scope="col" class="mark-b">B <span class="when">${live ? COMPARE.live : COMPARE.heldMark}</span></th><th scope="col">${COMPARE.difference}</th></tr></thead>
       <tbody>
-        <tr class="states"><th scope="row"></th><td>${STATES[a.result.state]}</td><td>${STATES[b.result.state]}</td><td></td></tr>
+        ${a.result.state !== b.result.state && html`<tr class="states"><th scope="row">${COMPARE.state}</th><td>${STATES[a.result.state]}</td><td>${STATES[b.result.state]}</td><td></td></tr>`}
         ${settings.map((row) => html`<tr key=${row.key} class="setting"><th scope="row">${row.name}</th><td>${valueOf(row, a.values)}</td><td>${valueOf(row, b.values)}</td><td></td></tr>`)}
         ${!settings.length && html`<tr class="setting"><th colspan="4" scope="colgroup">${COMPARE.sameSettings}</th></tr>`}
         ${ROWS.map((key) => html`<${MeasureRow} key=${key} row=${catalogue.value.get(key)} a=${a.result.measures[key]} b=${b.result.measures[key]} />`)}
@@ -75,7 +76,7 @@ function Pair({ a, b, live }) {
 function MeasureRow({ row, a, b }) {
   return html`
     <tr data-compared=${row.key}>
-      <th scope="row">${row.name} <${Symbol} text=${row.symbol} /></th><td>${valueText(a, row)}</td><td>${valueText(b, row)}</td><td class="change">${changeText(row, a, b)}</td>
+      <th scope="row">${SHORT[row.key]} <${Symbol} text=${row.symbol} /></th><td>${valueText(a, row)}</td><td>${valueText(b, row)}</td><td class="change">${changeText(row, a, b)}</td>
     </tr>
   `;
 }

@@ -1,5 +1,7 @@
 /** One page to print: settings, pictures, measures, the comparison if there is one, notes. Always on white. */
 import { html, useEffect, useRef } from "../ui.js";
+import { drawSpectrum } from "../plots/spectrum-draw.js";
+import { spectrumOf } from "../plots/spectrum.js";
 import { drawWaves, stackLayout } from "../plots/wave-draw.js";
 import { paperPalette, smallFont } from "../plots/theme.js";
 import { steadyLimits } from "../plots/axis.js";
@@ -8,9 +10,10 @@ import { held } from "../state/compare.js";
 import { setNotes, notes } from "../state/notes.js";
 import { posture, result } from "../state/outcome.js";
 import { catalogue, preset, schema, values } from "../state/request.js";
+import { tract } from "../state/tract.js";
 import { Symbol } from "../symbol.js";
 import { APP, CLOSURE, HEADLINES, MEASURE, STAGE, STATES, WAVES } from "../texts.js";
-import { COMPARE, REPORT } from "../texts-views.js";
+import { COMPARE, REPORT, VOICE } from "../texts-views.js";
 import { changeText } from "./ComparePanel.js";
 import { Dialog } from "./Dialog.js";
 import { expected, valueText } from "./measure-text.js";
@@ -18,6 +21,7 @@ import { paperStage, paintStage } from "./Stage.js";
 import { shortName, valueOf } from "./settings-text.js";
 
 const PRINT_RATIO = 3;
+const UNIT = 13; // px of a picture for what is one rem on the page
 const MEASURES = [...HEADLINES.map(({ key }) => key), "spl_lips_db", "ac_flow_ml_s", "min_flow_ml_s", "mfdr_l_s2", "naq", "h1_h2_sound_db", "cpp_db", "contact_location", "contact_impulse_pa_s", "glottal_gap_area_mm2", "strain", "length_mm", "glottal_half_angle_deg", "gap_mm"];
 
 export function ReportDialog() {
@@ -34,8 +38,8 @@ export function ReportDialog() {
         </header>
         <${Settings} />
         <div class="report-pictures">
-          <figure><figcaption>${REPORT.stage}</figcaption><${Still} name="report-stage" width=${380} height=${250} paint=${paintReportStage} label=${STAGE.picture} /></figure>
-          <figure><figcaption>${REPORT.waves}</figcaption><${Still} name="report-waves" width=${380} height=${390} paint=${paintReportWaves} label=${WAVES.picture} /></figure>
+          <figure><figcaption>${REPORT.stage}</figcaption><${Still} name="report-stage" width=${380} height=${240} paint=${paintReportStage} label=${STAGE.picture} /><figcaption>${VOICE.spectrum}</figcaption><${Still} name="report-spectrum" width=${380} height=${135} paint=${paintReportSpectrum} label=${VOICE.spectrumPicture} /></figure>
+          <figure><figcaption>${REPORT.waves}, ${REPORT.milliseconds}</figcaption><${Still} name="report-waves" width=${380} height=${400} paint=${paintReportWaves} label=${WAVES.picture} /></figure>
         </div>
         <${Measures} shown=${shown} />
         <label class="report-notes"><span>${REPORT.notes}</span><textarea rows="3" value=${notes.value} onInput=${(event) => setNotes(event.target.value)}></textarea></label>
@@ -93,12 +97,17 @@ function paintReportStage(context, box) {
   if (model) paintStage(context, box, model);
 }
 
+function paintReportSpectrum(context, box) {
+  const spectrum = spectrumOf(result.peek());
+  const top = 10 * Math.ceil(Math.max(...spectrum.levelDb) / 10);
+  drawSpectrum(context, box, { spectrum, tract: tract.peek(), colours: paperPalette(), top }, UNIT, smallFont(), VOICE);
+}
+
 function paintReportWaves(context, box) {
   const shown = result.peek();
   const stack = waveRows(shown);
   const limits = stack.rows.map((row) => steadyLimits(undefined, row.range, row));
-  const unit = 13;
-  const layout = stackLayout(box.width, box.height, stack.rows.length, stack.window, unit);
+  const layout = stackLayout(box.width, box.height, stack.rows.length, stack.window, UNIT);
   const colours = paperPalette();
   drawWaves(context, layout, shown, stack, limits, colours, smallFont());
   context.font = smallFont(600);
