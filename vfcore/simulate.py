@@ -1,7 +1,8 @@
 """The main job: muscles in; posture, vibration, pressures, measures and sound out."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime
 from importlib.metadata import version
 from typing import NamedTuple
@@ -11,6 +12,8 @@ import numpy as np
 from vfcore.acoustics.impulse_response import radiate
 from vfcore.acoustics.tract import vowel_tract
 from vfcore.assemble import Fold, assemble
+from vfcore.error_estimate import REFINEMENTS, Level, companion_step_s, companions, richardson, without_bars
+from vfcore.errors import DivergenceError
 from vfcore.kernels.layout import RECORD
 from vfcore.march import March, contact_location
 from vfcore.measures.catalogue import MeasureReport, measure_all
@@ -19,9 +22,9 @@ from vfcore.params import Simulation
 from vfcore.posture.equilibrium import solve_posture
 from vfcore.posture.solution import PostureSolution
 from vfcore.result import Provenance, SimulationResult
-from vfcore.stability import time_step_s
+from vfcore.stability import longest_stable_step_s, time_step_s
 from vfcore.statics import StaticShape, static_shape_of
-from vfcore.tissue.coefficients import coefficients
+from vfcore.tissue.coefficients import Coefficients, coefficients
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 PHASES = 100  # of the stored cycle
@@ -50,14 +53,15 @@ def posture_of(request: Simulation) -> PostureSolution:
     )  # fmt: skip
 
 
-def prepare(request: Simulation) -> Prepared:
+def prepare(request: Simulation, alter: Callable[[Coefficients], Coefficients] = lambda c: c) -> Prepared:
     """Posture, prestrained coefficients and static shape of a request (milliseconds).
 
+    ``alter`` may change the coefficients before the fold is made of them: for studies of what the paper leaves open.
     Raises PostureError, ParameterError or StaticShapeError.
     """
     posture = posture_of(request)
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
-    c = coefficients(posture.strain, request.activation.ta, request.constants)
+    c = alter(coefficients(posture.strain, request.activation.ta, request.constants))
     fold = assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
     return Prepared(posture, fold, static_shape_of(fold))
 
@@ -71,16 +75,24 @@ def simulate(
     request: Simulation,
     progress: Callable[[float], None] | None = None,
     stop: Callable[[], bool] | None = None,
+    prepared_by: Callable[[Simulation], Prepared] = prepare,
 ) -> SimulationResult:
-    """Run a request.
+    """Run a request; with ``run.error_estimate`` also its two finer companions (vfcore.error_estimate).
 
+    ``prepared_by`` makes the folds; other than ``prepare`` only for studies of what the paper leaves open.
     ``progress(fraction)`` is called after each chunk of about 5 ms of voice; ``stop()`` is asked before each.
     Raises ParameterError (StabilityError) for a request that cannot be run, PostureError, DivergenceError,
     Cancelled.
     """
-    ready = prepare(request)
+    if not request.run.error_estimate:
+        return _run(request, progress, stop, prepared_by(request))
+    return _run_with_companions(request, progress, stop, prepared_by)
+
+
+def _run(request: Simulation, progress, stop, ready: Prepared, step_s: float | None = None) -> SimulationResult:
+    """One run, with the time step ``step_s`` or the request's own."""
     fold, run = ready.fold, request.run
-    march = March(fold, time_step_s(run, fold), request.subglottal_pressure_pa, run.pressure_rise_s)
+    march = March(fold, step_s or time_step_s(run, fold), request.subglottal_pressure_pa, run.pressure_rise_s)
     march.start_static(ready.static) if run.start == "static" else march.start_flat()
     sample_s = march.time_step_s * march.record_every
     samples = round(run.duration_s / sample_s)
@@ -109,6 +121,36 @@ def simulate(
         cycle_is_complete=complete,
         provenance=_provenance(march, sample_s, kernel_seconds),
     )
+
+
+def steps_of(request: Simulation, folds: Sequence[Fold]) -> list[float]:
+    """Time steps in force, s, of a request and of its companions, if any, on their folds."""
+    own = time_step_s(request.run, folds[0])
+    finer = zip(REFINEMENTS, folds[1:], strict=False)
+    return [own, *(companion_step_s(own, by, longest_stable_step_s(fold)) for by, fold in finer)]
+
+
+def _run_with_companions(request: Simulation, progress, stop, prepared_by) -> SimulationResult:
+    """The run asked for and its companions, progress being shared out by their work."""
+    requests = (request, *companions(request))
+    folds = [prepared_by(one) for one in requests]
+    steps = steps_of(request, [ready.fold for ready in folds])
+    work = np.cumsum([0.0] + [one.run.nx * one.run.ny / step for one, step in zip(requests, steps, strict=True)])
+    work /= work[-1]
+    result, levels, reports = None, [], []
+    for k, (one, ready, step) in enumerate(zip(requests, folds, steps, strict=True)):
+        watched = progress and (lambda part, k=k: progress(work[k] + part * (work[k + 1] - work[k])))
+        try:
+            found = _run(one, watched, stop, ready, step)
+        except DivergenceError:
+            if result is None:
+                raise
+            reason = f"The companion on {one.run.nx} × {one.run.ny} nodes diverges."
+            return replace(result, error_estimate=without_bars(levels, reason))
+        result = result or found
+        reports.append(found.report)
+        levels.append(Level(one.run.nx, one.run.ny, step, found.report.state))
+    return replace(result, error_estimate=richardson(levels, reports))
 
 
 def _waveforms(request: Simulation, record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
