@@ -15,7 +15,7 @@ export function TopBar() {
       ${schema.value && html`<${Presets} />${!narrow.value && html`<${Variants} />`}`}
       <div class="top-tools">
         ${schema.value && !narrow.value && html`<${HistoryTools} />`}
-        <button class="quiet keep" type="button" title=${KEEP.openHelp} onClick=${() => openDialog("keep")}><${Icon} name="keep" /><span>${KEEP.open}</span></button>
+        <button class="quiet keep" type="button" aria-label=${KEEP.open} title=${KEEP.openHelp} onClick=${() => openDialog("keep")}><${Icon} name="keep" /><span>${KEEP.open}</span></button>
         <button class="quiet" type="button" aria-label=${TOP.share} onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
         <button class="icon" type="button" aria-label=${theme.value === "dark" ? TOP.toLight : TOP.toDark} title=${theme.value === "dark" ? TOP.toLight : TOP.toDark} onClick=${toggleTheme}>
           <${Icon} name=${theme.value === "dark" ? "sun" : "moon"} />

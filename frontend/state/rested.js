@@ -1,5 +1,5 @@
 /** The result once the hand rests: what costs more than a frame to draw follows this, and never slows a drag. */
-import { effect, signal } from "../ui.js";
+import { effect, signal, untracked } from "../ui.js";
 import { result } from "./outcome.js";
 import { readonly } from "./readonly.js";
 import { version } from "./request.js";
@@ -15,17 +15,18 @@ export const rested = readonly(_rested);
 export function followRest() {
   let waiting = 0;
   let changedAt = -Infinity;
-  const take = () => (_rested.value = result.peek());
+  const take = () => {
+    const left = _rested.peek() ? changedAt + REST_MS - performance.now() : 0;
+    clearTimeout(waiting);
+    if (left <= 0) _rested.value = result.peek();
+    else waiting = setTimeout(take, left); // the hand may have moved on since
+  };
   const stopHand = effect(() => {
     void version.value;
     changedAt = performance.now();
   });
   const stop = effect(() => {
-    if (!result.value) return;
-    clearTimeout(waiting);
-    const left = _rested.peek() ? changedAt + REST_MS - performance.now() : 0;
-    if (left <= 0) take();
-    else waiting = setTimeout(take, left);
+    if (result.value) untracked(take);
   });
   return () => {
     stop();

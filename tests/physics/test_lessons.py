@@ -1,7 +1,7 @@
 """The page's lessons say what the model does: every step is run and every sentence's number checked."""
 
 import json
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +24,7 @@ def lesson(key: str) -> dict:
 STEPS = [(row["key"], k) for row in INDEX for k in range(row["steps"])]
 
 
-@lru_cache(maxsize=None)
+@cache
 def outcome(key: str, step: int):
     """The run of one step: the default voice with what the step sets."""
     request: dict = {"kind": "simulation", "run": {"duration_s": 0.5}}

@@ -1,6 +1,6 @@
 """Each preset does what its one sentence tells people to look for."""
 
-from functools import lru_cache
+from functools import cache
 
 import pytest
 
@@ -11,7 +11,7 @@ from vfcore.simulate import simulate
 KEYS = [preset.key for preset in PRESETS]
 
 
-@lru_cache(maxsize=None)
+@cache
 def run(key: str):
     request = next(preset.request for preset in PRESETS if preset.key == key)
     return simulate(simulation_from_dict({"kind": "simulation", "run": {"duration_s": 0.5}} | request))
