@@ -53,6 +53,10 @@ def test_data_are_kept_as_csv_netcdf_and_sound(visit):
         assert waiting.value.path().read_bytes().startswith(start), name
 
 
+def done(command: list[str]) -> str:
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=120, check=True).stdout
+
+
 def test_python_and_curl_run_as_printed_and_find_the_same_voice(visit):
     here = visit("?activation.ct=0.7&vowel=i")
     shown = here.api(f"jobs/{here.result_id()}/result")
@@ -60,15 +64,11 @@ def test_python_and_curl_run_as_printed_and_find_the_same_voice(visit):
     dialog.get_by_role("button", name="As Python or curl").click()
     python = here.page.locator("[data-code=python]").inner_text()
     curl = here.page.locator("[data-code=curl]").inner_text()
-    ran = subprocess.run(
-        [sys.executable, "-c", python], cwd=ROOT, capture_output=True, text=True, timeout=120, check=True
-    )
-    pitch = float(re.search(r"^fo_hz (\S+)", ran.stdout, re.M)[1])
+    ran = done([sys.executable, "-c", python])
+    pitch = float(re.search(r"^fo_hz (\S+)", ran, re.M)[1])
     assert pitch == shown["measures"]["fo_hz"]["value"]
-    asked = subprocess.run(
-        shlex.split(curl.replace("\\\n", " ")), capture_output=True, text=True, timeout=60, check=True
-    )
-    assert f'"{here.result_id()}"' in asked.stdout, "the same request is the same result"
+    asked = done(shlex.split(curl.replace("\\\n", " ")))
+    assert f'"{here.result_id()}"' in asked, "the same request is the same result"
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

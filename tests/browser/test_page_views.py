@@ -31,7 +31,7 @@ def test_the_spectrum_follows_voice_and_vowel(visit, viewport):
     here.page.locator("input[name=vowel][value=i]").check(force=True)
     here.settle()
     show(here, "voice")
-    here.page.locator(".resonances", has_text="260").or_(here.page.locator(".resonances", has_text="2")).wait_for()
+    assert "671 · 947" not in here.page.locator(".resonances").inner_text()
     assert [name for name in before if here.picture(name) == before[name]] == []
 
 
@@ -113,7 +113,6 @@ def test_a_and_b_side_by_side_as_difference_and_to_hear(visit, viewport):
     assert here.page.locator("tr[data-compared=gap_mm]").inner_text().split("\t") == gap, "B is held too"
     here.page.get_by_role("button", name="Go back to A").click()
     here.settle()
-    assert here.page.evaluate("location.search") in ("?activation.pca=0.5", here.page.evaluate("location.search"))
     here.page.wait_for_url("**/?activation.pca=0.5")
 
 
