@@ -4,25 +4,27 @@ import { Advanced } from "../controls/Advanced.js";
 import { BreathAndTract } from "../controls/BreathAndTract.js";
 import { Muscles } from "../controls/Muscles.js";
 import { TopBar } from "../controls/TopBar.js";
+import { lesson } from "../state/lessons.js";
 import { narrow, open } from "../state/look.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
-import { lesson } from "../state/lessons.js";
 import { APP } from "../texts.js";
-import { CodeDialog } from "./CodeDialog.js";
-import { Detail } from "./Detail.js";
 import { HelpDialog } from "./HelpDialog.js";
-import { KeepDialog } from "./KeepDialog.js";
-import { LessonCard } from "./LessonCard.js";
 import { Login } from "./Login.js";
 import { Maps } from "./Maps.js";
 import { MeasureDialog } from "./MeasureDialog.js";
 import { Phone } from "./Phone.js";
-import { ReportDialog } from "./ReportDialog.js";
 import { RightColumn } from "./RightColumn.js";
 import { Stage } from "./Stage.js";
 import { Starting } from "./Starting.js";
 import { Strip } from "./Strip.js";
+import { lazy } from "./lazy.js";
+
+const CodeDialog = lazy(() => import("./CodeDialog.js"), "CodeDialog");
+const Detail = lazy(() => import("./Detail.js"), "Detail");
+const KeepDialog = lazy(() => import("./KeepDialog.js"), "KeepDialog");
+const ReportDialog = lazy(() => import("./ReportDialog.js"), "ReportDialog");
+const LessonCard = lazy(() => import("./LessonCard.js"), "LessonCard");
 
 const DIALOGS = { help: HelpDialog, measure: MeasureDialog, detail: Detail, keep: KeepDialog, code: CodeDialog, report: ReportDialog };
 

@@ -12,19 +12,21 @@ import { result } from "../state/outcome.js";
 import { APP, HEADLINES, PANELS, RUN, TABS } from "../texts.js";
 import { KEEP, LESSONS } from "../texts-views.js";
 import { Headline } from "./Headline.js";
-import { HistoryList } from "./HistoryList.js";
-import { LessonCard } from "./LessonCard.js";
-import { LessonList } from "./LessonList.js";
-import { LongRun } from "./LongRun.js";
 import { Maps } from "./Maps.js";
-import { MeasureTable } from "./MeasureTable.js";
 import { PhonationState } from "./PhonationState.js";
 import { PostureLine } from "./PostureLine.js";
 import { CONTENT as PANEL_CONTENT } from "./RightColumn.js";
 import { Shapes } from "./Shapes.js";
 import { Stage } from "./Stage.js";
 import { TabList } from "./TabList.js";
+import { lazy } from "./lazy.js";
 import { Waves } from "./Waves.js";
+
+const HistoryList = lazy(() => import("./HistoryList.js"), "HistoryList");
+const LessonCard = lazy(() => import("./LessonCard.js"), "LessonCard");
+const LessonList = lazy(() => import("./LessonList.js"), "LessonList");
+const LongRun = lazy(() => import("./LongRun.js"), "LongRun");
+const MeasureTable = lazy(() => import("./MeasureTable.js"), "MeasureTable");
 
 const WAVE_PANELS = Object.fromEntries(["waves", "voice", "folds", "compare"].map((key) => [key, PANELS[key]]));
 const wavePanel = () => (panel.value in WAVE_PANELS ? panel.value : "waves");

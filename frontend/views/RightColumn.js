@@ -2,16 +2,18 @@
 import { html } from "../ui.js";
 import { panel, setPanel } from "../state/look.js";
 import { PANELS } from "../texts.js";
-import { ComparePanel } from "./ComparePanel.js";
-import { FoldsPanel } from "./FoldsPanel.js";
-import { HistoryList } from "./HistoryList.js";
-import { LessonList } from "./LessonList.js";
-import { LongRun } from "./LongRun.js";
-import { MeasureTable } from "./MeasureTable.js";
 import { Shapes } from "./Shapes.js";
 import { TabList } from "./TabList.js";
-import { VoicePanel } from "./VoicePanel.js";
 import { Waves } from "./Waves.js";
+import { lazy } from "./lazy.js";
+
+const ComparePanel = lazy(() => import("./ComparePanel.js"), "ComparePanel");
+const FoldsPanel = lazy(() => import("./FoldsPanel.js"), "FoldsPanel");
+const HistoryList = lazy(() => import("./HistoryList.js"), "HistoryList");
+const LessonList = lazy(() => import("./LessonList.js"), "LessonList");
+const LongRun = lazy(() => import("./LongRun.js"), "LongRun");
+const VoicePanel = lazy(() => import("./VoicePanel.js"), "VoicePanel");
+const MeasureTable = lazy(() => import("./MeasureTable.js"), "MeasureTable");
 
 /** What stands under each tab; the phone shows some of them too. */
 export const CONTENT = {

@@ -15,6 +15,7 @@ def show(here, panel: str) -> None:
     if not here.page.locator(f"#panel-{panel}").count():
         here.page.locator("#tab-waves").click()
     here.page.locator(f"#panel-{panel}").click()
+    here.page.wait_for_load_state("networkidle")
     here.settle()
     here.page.wait_for_timeout(350)  # heavy pictures follow once the hand rests
 
@@ -149,7 +150,7 @@ def test_a_lesson_sets_the_model_and_says_what_to_see(visit, viewport):
     else:
         here.page.locator("#panel-lessons").click()
     told = json.loads((LESSONS / "why-voice-stops.json").read_text(encoding="utf-8"))
-    assert here.page.locator(".lesson-row").count() == 8
+    here.page.locator(".lesson-row").nth(7).wait_for()
     here.page.locator(".lesson-row", has_text=told["title"]).click()
     here.page.wait_for_selector(".lesson-card[data-step='0']")
     for k in range(1, 3):
@@ -185,3 +186,41 @@ def test_the_strobe_shows_as_many_cycles_a_second_at_any_pitch(visit):
         }"""
     )
     assert moved[0] == pytest.approx(1, abs=0.2) and moved[1] <= 40, "flashes, not a film"
+
+
+#: Time spent in scripts between one frame and the next, ms, while a pointer drags a slider over the whole range.
+FRAMES_OF_A_DRAG = """async (n) => {
+  const slider = document.querySelector("#control-activation-ct");
+  const spent = [];
+  for (let k = 0; k < n; k++) {
+    const start = performance.now();
+    slider.value = 0.3 + 0.5 * Math.abs(Math.sin(k / 9));
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+    await new Promise((done) => queueMicrotask(done));
+    const afterInput = performance.now();
+    const painted = await new Promise((done) =>
+      requestAnimationFrame((frame) => {
+        const begun = performance.now();
+        const channel = new MessageChannel();
+        channel.port1.onmessage = () => done(performance.now() - begun);
+        channel.port2.postMessage(null);
+      }),
+    );
+    spent.push(afterInput - start + painted);
+  }
+  return spent;
+}"""
+
+
+@pytest.mark.parametrize("panel", ["waves", "voice", "folds", "compare"])
+def test_a_drag_leaves_room_in_every_frame(visit, panel, capsys):
+    """Prints the scripting of a frame; the bound is loose, for machines that do other things besides."""
+    here = visit()
+    here.page.keyboard.press("a")
+    show(here, panel)
+    times = sorted(here.page.evaluate(FRAMES_OF_A_DRAG, 120))
+    p95 = times[int(0.95 * len(times))]
+    with capsys.disabled():
+        print(f"\nscripts in a frame of a drag, {panel}: p50 {times[60]:.1f} ms, p95 {p95:.1f} ms")
+    assert p95 < 60
+    here.settle()
