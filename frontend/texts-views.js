@@ -35,6 +35,15 @@ export const FOLDS = {
   width: "mm wide",
   nothing: "Nothing vibrates: there is no cycle to show.",
   drag: "Drag across a picture to move through the cycle.",
+  strip: {
+    title: "Six moments of the cycle",
+    picture: "Glottis from above, aerodynamic and contact pressure on the medial surface at six phases of the cycle",
+    scales: "colours as in the maps",
+    above: "above",
+    aero: "air",
+    contact: "contact",
+    hold: (percent) => `Look at ${percent} % of the cycle`,
+  },
 };
 
 export const COMPARE = {

@@ -8,6 +8,7 @@ import { isVoiced } from "../result.js";
 import { kymogramLevel, setKymogramLevel } from "../state/deeper.js";
 import { rested } from "../state/rested.js";
 import { FOLDS } from "../texts-views.js";
+import { CycleStrip } from "./CycleStrip.js";
 import { Picture } from "./Picture.js";
 import { PhaseCursor } from "./PhaseCursor.js";
 
@@ -55,6 +56,7 @@ export function FoldsPanel() {
           <${PhaseCursor} name="vibrogram-cursor" fieldOf=${fieldOf} cycles=${CYCLES} />
         </div>
       </figure>
+      <${CycleStrip} />
       <p class="caution">${voiced.value ? FOLDS.drag : FOLDS.nothing}</p>
     </div>
   `;

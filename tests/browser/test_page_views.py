@@ -61,6 +61,11 @@ def test_heavy_pictures_wait_for_the_hand_to_rest(visit):
     assert here.picture("spectrum") != before
 
 
+def moment(percent: int) -> str:
+    """Name of the one of six moments of the cycle that a phase belongs to."""
+    return f"Look at {round(100 * (percent * 6 // 100 + 0.5) / 6)} % of the cycle"
+
+
 @pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
 def test_kymogram_levels_and_the_shared_cursor(visit, viewport):
     here = visit("?activation.lca=0.4", viewport=viewport)
@@ -78,6 +83,8 @@ def test_kymogram_levels_and_the_shared_cursor(visit, viewport):
     held = int(here.page.locator(".percent").inner_text().strip(" %\u2007"))
     here.page.wait_for_timeout(200)
     assert held == int(here.page.locator(".percent").inner_text().strip(" %\u2007")), "the phase is held"
+    assert here.ink("cycle-strip") > 0.1
+    assert here.page.locator(".moments [aria-pressed=true]").get_attribute("aria-label") == moment(held)
     lines = here.page.locator("[data-picture=kymogram-cursor] i")
     places = lines.evaluate_all("all => all.map((line) => line.getBoundingClientRect().left)")
     cycle = places[1] - places[0]

@@ -63,6 +63,8 @@ def check(wanted: dict, key: str, step: int) -> None:
         assert found.static.closure.pattern == wanted["closure"]
     elif "resonance" in wanted:
         between(resonance(found.request.vowel, wanted["resonance"]), wanted)
+    elif "least_width_mm_at" in wanted:
+        between(least_width_mm(found, wanted["least_width_mm_at"]), wanted)
     elif "inferior_edge_leads" in wanted:
         assert inferior_lead(found) > 0.02, "share of the cycle"
     else:
@@ -85,6 +87,13 @@ def between(value: float, wanted: dict) -> None:
 
 def resonance(vowel: str, number: int) -> float:
     return closed_glottis_formants(vowel_tract(vowel), number).frequency_hz[number - 1]
+
+
+def least_width_mm(result, level: float) -> float:
+    """Smallest width of the glottis in the cycle at a share of the length, anterior 0."""
+    nearest = (result.arrays["medial_plane_m"] - result.arrays["cycle_w_m"]).min(axis=2)
+    narrow = 2e3 * np.maximum(nearest, 0).min(axis=0)
+    return float(np.interp(level, np.linspace(0, 1, narrow.size), narrow))
 
 
 def inferior_lead(result) -> float:
