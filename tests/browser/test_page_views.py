@@ -221,7 +221,7 @@ FRAMES_OF_A_DRAG = """async (n) => {
 
 @pytest.mark.parametrize("panel", ["waves", "voice", "folds", "compare"])
 def test_a_drag_leaves_room_in_every_frame(visit, panel, capsys):
-    """Prints the scripting of a frame; the bound is loose, for machines that do other things besides."""
+    """Prints the scripting of a frame; the bound is on the middle one, for machines that do other things besides."""
     here = visit()
     here.page.keyboard.press("a")
     show(here, panel)
@@ -229,5 +229,5 @@ def test_a_drag_leaves_room_in_every_frame(visit, panel, capsys):
     p95 = times[int(0.95 * len(times))]
     with capsys.disabled():
         print(f"\nscripts in a frame of a drag, {panel}: p50 {times[60]:.1f} ms, p95 {p95:.1f} ms")
-    assert p95 < 60
+    assert times[60] < 50
     here.settle()
