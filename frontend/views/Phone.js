@@ -13,6 +13,7 @@ import { APP, HEADLINES, PANELS, RUN, TABS } from "../texts.js";
 import { KEEP, LESSONS } from "../texts-views.js";
 import { Headline } from "./Headline.js";
 import { Maps } from "./Maps.js";
+import { Play } from "./Play.js";
 import { PhonationState } from "./PhonationState.js";
 import { PostureLine } from "./PostureLine.js";
 import { CONTENT as PANEL_CONTENT } from "./RightColumn.js";
@@ -33,6 +34,7 @@ const wavePanel = () => (panel.value in WAVE_PANELS ? panel.value : "waves");
 
 const CONTENT = {
   muscles: () => html`<${PostureLine} /><${Muscles} /><${BreathAndTract} /><${Advanced} />`,
+  play: () => html`<${Play} />`,
   waves: () => html`
     <${TabList} name="panel" texts=${WAVE_PANELS} chosen=${wavePanel()} choose=${setPanel} />
     <div role="tabpanel" id="panel-content" aria-labelledby=${`panel-${wavePanel()}`}>

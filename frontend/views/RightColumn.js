@@ -2,6 +2,7 @@
 import { html } from "../ui.js";
 import { panel, setPanel } from "../state/look.js";
 import { PANELS } from "../texts.js";
+import { Play } from "./Play.js";
 import { Shapes } from "./Shapes.js";
 import { TabList } from "./TabList.js";
 import { Waves } from "./Waves.js";
@@ -22,6 +23,7 @@ export const CONTENT = {
   folds: () => html`<${FoldsPanel} />`,
   compare: () => html`<${ComparePanel} />`,
   measures: () => html`<${MeasureTable} />`,
+  play: () => html`<${Play} />`,
   lessons: () => html`<${LessonList} />`,
   run: () => html`<${LongRun} /><${HistoryList} />`,
 };
