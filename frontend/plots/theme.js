@@ -21,10 +21,10 @@ export const palette = computed(() => {
   return { ...colours, theme: theme.value };
 });
 
-/** The light colours, whatever the page shows: what is printed stands on white. Read off an element of class "paper". */
+/** The light colours, whatever the page shows: what is printed stands on white. Read off an element of class "on-white". */
 export function paperPalette() {
   const place = document.createElement("i");
-  place.className = "paper";
+  place.className = "on-white";
   document.body.append(place);
   const style = getComputedStyle(place);
   const colours = Object.fromEntries(Object.entries(NAMES).map(([key, name]) => [key, style.getPropertyValue(name).trim()]));

@@ -31,7 +31,7 @@ export function ReportDialog() {
   return html`
     <${Dialog} title=${REPORT.title} wide=${true}>
       <p class="report-tools"><button type="button" class="button" onClick=${() => window.print()}>${REPORT.print}</button><span class="caution">${REPORT.notesHelp}</span></p>
-      <article class="report paper" aria-label=${REPORT.title}>
+      <article class="report on-white" aria-label=${REPORT.title}>
         <header>
           <h3>${REPORT.head}${preset.value && html`: ${preset.value.label}`}</h3>
           <p><b>${STATES[shown.state]}.</b> ${posture.value && `${STAGE.atRest} ${CLOSURE[posture.value.static_shape.closure_pattern]}.`} ${MEASURE.cycles(shown.cycles)}</p>
