@@ -30,7 +30,7 @@ Density = Annotated[float, Query(**_limits("rho_a_kg_m3"), description="density 
 Speed = Annotated[float, Query(**_limits("c_a_m_s"), description="speed of sound, m/s")]
 
 
-@router.get("/{vowel}", responses={200: {"model": schemas.TractAnswer}} | problems(422))
+@router.get("/{vowel}", responses={200: {"model": schemas.TractAnswer}} | problems(404, 422))
 def tract(
     vowel: Literal[tuple(VOWELS)], rho_a_kg_m3: Density = _AIR.rho_a_kg_m3, c_a_m_s: Speed = _AIR.c_a_m_s
 ) -> JSONResponse:
