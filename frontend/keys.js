@@ -1,8 +1,10 @@
 /** Keys that work everywhere on the page. */
 import { toggleSound } from "./audio/sound.js";
+import { toggleHold } from "./controls/HistoryTools.js";
 import { focusControl } from "./controls/focus.js";
 import { Disposal } from "./dispose.js";
 import { narrow, open, openDialog, setTab } from "./state/look.js";
+import { redo, undo } from "./state/history.js";
 import { holdPhase, moving, phase, setMoving } from "./state/motion.js";
 import { musclePaths } from "./state/muscles.js";
 import { result } from "./state/outcome.js";
@@ -18,6 +20,10 @@ export function followKeys() {
 }
 
 function onKey(event) {
+  if (isUndo(event)) {
+    event.preventDefault();
+    return event.shiftKey ? redo() : undo();
+  }
   if (event.ctrlKey || event.metaKey || event.altKey || open.peek() || !schema.peek() || takesText(event.target)) return;
   const action = actionOf(event.key, event.target);
   if (!action) return;
@@ -25,11 +31,16 @@ function onKey(event) {
   action();
 }
 
+const isUndo = (event) =>
+  (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === "z" && !open.peek() && !takesText(event.target);
+
 const takesText = (target) => target.matches?.("input:not([type=range], [type=checkbox], [type=radio]), select, textarea");
 
 function actionOf(key, target) {
   if (key === " ") return takesSpace(target) || !result.peek() ? null : toggleSound;
   if (key === "?") return () => openDialog("help");
+  if (key === "a" || key === "A") return () => toggleHold("a");
+  if (key === "b" || key === "B") return () => toggleHold("b");
   if (key === "m" || key === "M") return () => setMoving(!moving.peek());
   if (key === "[") return () => holdPhase(phase.peek() - PHASE_STEP);
   if (key === "]") return () => holdPhase(phase.peek() + PHASE_STEP);

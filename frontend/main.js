@@ -1,6 +1,7 @@
 /** Starts the page: waits for the model, reads what there is to set and to read, then follows hand, voice and address. */
 import { effect, html, render } from "./ui.js";
 import { Problem, getJson } from "./api.js";
+import { followAudition } from "./audio/audition.js";
 import { followVoice } from "./audio/sound.js";
 import { Disposal } from "./dispose.js";
 import { followKeys } from "./keys.js";
@@ -10,10 +11,13 @@ import { followMotion } from "./motion.js";
 import { readSchema } from "./params.js";
 import { palette } from "./plots/theme.js";
 import { followSpeech } from "./speak.js";
+import { followHistory } from "./state/history.js";
 import { answered } from "./state/outcome.js";
 import { begin, schema, version } from "./state/request.js";
+import { followRest } from "./state/rested.js";
 import { setConnection, setHealth, showNotice } from "./state/session.js";
 import { TOP } from "./texts.js";
+import { followTract } from "./tracts.js";
 import { followUrl, readQuery } from "./url.js";
 import { App } from "./views/App.js";
 
@@ -23,7 +27,7 @@ const page = new Disposal();
 page.add(effect(() => void palette.value)); // sets the theme before the first paint
 page.add(effect(() => document.body.setAttribute("aria-busy", String(answered.value !== version.value))));
 render(html`<${App} entered=${start} />`, document.getElementById("page"));
-for (const follow of [followKeys, followMotion, followVoice, followRequest, followUrl, followSpeech]) page.add(follow());
+for (const follow of [followKeys, followMotion, followVoice, followAudition, followRest, followHistory, followTract, followRequest, followUrl, followSpeech]) page.add(follow());
 page.add(stopFollowing);
 page.listen(window, "pagehide", (event) => !event.persisted && page.dispose());
 start();

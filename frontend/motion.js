@@ -1,12 +1,12 @@
 /**
- * Slow motion: moves the shared phase on while something vibrates, at the rate written on the stage. While the hand
+ * Slow motion or strobe: moves the shared phase on while something vibrates, at the rate written on the stage. While the hand
  * moves a control the motion takes fewer steps, so that the frames are there for what the hand does.
  */
 import { effect } from "./ui.js";
 import { isVoiced } from "./result.js";
 import { result } from "./state/outcome.js";
 import { version } from "./state/request.js";
-import { moving, phase, pointing, setPhase, slowdown } from "./state/motion.js";
+import { FLASHES_HZ, moving, phase, pointing, setPhase, slowdown, strobe } from "./state/motion.js";
 
 const HAND_MS = 300; // after its last change the hand counts as moving
 const STEP_BESIDE_HAND_MS = 50;
@@ -19,9 +19,11 @@ export function followMotion() {
   const step = (now) => {
     request = requestAnimationFrame(step);
     if (now - handAt < HAND_MS && now - before < STEP_BESIDE_HAND_MS) return;
+    if (strobe.peek() && now - before < 1e3 / FLASHES_HZ) return;
     const elapsed = Math.min(now - before, 100) / 1e3; // a tab that slept does not leap
     before = now;
-    setPhase(phase.peek() + elapsed / slowdown.peek() / result.peek().cycle.periodS);
+    const cyclesPerS = strobe.peek() ?? 1 / (slowdown.peek() * result.peek().cycle.periodS);
+    setPhase(phase.peek() + elapsed * cyclesPerS);
   };
   const stopHand = effect(() => {
     void version.value;

@@ -114,6 +114,7 @@ export const WAVES = {
   slope: "Flow derivative",
   area: "Glottal area",
   contact: "Contact pressure, largest",
+  stack: "Waves of the voice",
   time: "ms from the start of the highlighted cycle",
   timeFree: "ms, last part of the run",
   zoom: "Zoom",
@@ -133,7 +134,9 @@ export const SHAPES = {
   picture: "Distance of the fold’s edges from the midline along its length: static, most open, most closed",
 };
 
-export const PANELS = { waves: "Waves", measures: "Measures", play: "Play", run: "Long run" };
+export const PANELS = {
+  waves: "Waves", voice: "Spectrum", folds: "Folds", compare: "A / B", measures: "Measures", play: "Play", lessons: "Lessons", run: "Runs",
+}; // prettier-ignore
 export const TABS = { muscles: "Muscles", play: "Play", waves: "Waves", numbers: "Numbers", more: "More" };
 
 export const STATES = {
@@ -248,6 +251,8 @@ export const HELP = {
     ["1 – 5", "choose a muscle: TA, CT, LCA, IA, PCA"],
     ["← →", "move the chosen slider by its step (muscles 0.01)"],
     ["Shift ← →", "ten steps (muscles 0.1)"],
+    ["A  B", "hold the voice as A, as B; B again lets it go"],
+    ["Ctrl Z", "undo; with Shift redo"],
     ["M", "motion on or off"],
     ["[  ]", "one step back or on in the cycle"],
     ["?", "this page"],

@@ -10,7 +10,19 @@ import vfcore
 from vocalis_server import errors, openapi
 from vocalis_server.guard import Guard
 from vocalis_server.jobs.document import API
-from vocalis_server.routes import catalogue, events, gestures, jobs, live, page, posture, results, session, simulate
+from vocalis_server.routes import (
+    catalogue,
+    events,
+    gestures,
+    jobs,
+    live,
+    page,
+    posture,
+    results,
+    session,
+    simulate,
+    tract,
+)
 from vocalis_server.services import Services
 from vocalis_server.settings import Settings
 
@@ -31,7 +43,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         openapi_url=f"{API}/openapi.json",
     )
     app.state.services = services
-    for module in (catalogue, posture, simulate, jobs, results, events, session, live, gestures):
+    for module in (catalogue, tract, posture, simulate, jobs, results, events, session, live, gestures):
         app.include_router(module.router, prefix=API)
     errors.install(app)
     openapi.install(app)

@@ -54,6 +54,24 @@ class Measures(BaseModel):
     measures: list[dict[str, Any]]
 
 
+class Resonance(BaseModel):
+    frequency_hz: float
+    bandwidth_hz: float = Field(description="between the points 3 dB below the peak")
+
+
+class TractAnswer(BaseModel):
+    """A vocal tract in equal sections, glottis first, and what it does to the voice."""
+
+    vowel: str
+    ipa: str
+    source: str
+    section_length_m: float
+    areas_m2: list[float]
+    formants: list[Resonance] = Field(description="with the glottis closed, lowest first")
+    frequency_hz: list[float]
+    lip_pressure_per_flow_pa_s_m3: list[float] = Field(description="at frequency_hz: |pressure at lips / glottal flow|")
+
+
 class Posture(BaseModel):
     strain: float
     glottal_half_angle_rad: float

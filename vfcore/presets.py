@@ -44,8 +44,13 @@ PRESETS = (
     ),
     Preset(
         "ta_shortening", "TA shortening",
-        "TA alone shortens and slackens the cover: pitch falls while the bulge grows.",
+        "Strong TA against little CT shortens the folds by 1.5 mm and slackens the cover: pitch falls.",
         _muscles(0.6, 0.6, 0.0, 0.2, 0.7),
+    ),
+    Preset(
+        "pca_abduction", "PCA abduction",
+        "PCA overcomes weak closers: a V of 10 mm at the back, much flow, no vibration at normal pressure.",
+        _muscles(0.4, 0.4, 1.0, 0.3, 0.4),
     ),
     Preset(
         "no_phonation", "No phonation",

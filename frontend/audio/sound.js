@@ -1,6 +1,7 @@
 /** Keeps the sounding voice equal to the result shown. The audio context is made by the first gesture, never before. */
 import { effect, untracked } from "../ui.js";
 import { isVoiced, measured } from "../result.js";
+import { heard } from "../state/compare.js";
 import { result } from "../state/outcome.js";
 import { looping, playing, setPlaying, volume } from "../state/sound.js";
 import { makeLoop, makeOnce } from "./loop.js";
@@ -10,9 +11,15 @@ let voice = null;
 
 /** To be called inside a gesture: browsers refuse sound otherwise. */
 export function toggleSound() {
+  openVoice();
+  setPlaying(!playing.value);
+}
+
+/** The one sounding voice, made when it is first needed. */
+export function openVoice() {
   voice ??= new Voice(new AudioContext({ latencyHint: "interactive" }));
   voice.context.resume();
-  setPlaying(!playing.value);
+  return voice;
 }
 
 /** Starts following the state; returns the end of it. */
@@ -24,6 +31,7 @@ export function followVoice() {
     }),
     effect(() => {
       if (!playing.value) return voice?.stop();
+      if (heard.value) return; // A or B sounds, see audition.js
       if (looping.value) soundOn(result.value);
       else untracked(() => soundOnce(result.value));
     }),

@@ -14,6 +14,9 @@ const PATHS = {
   save: () => html`<path d="M12 4v11m-4.5-4L12 15.5 16.5 11M5 19.5h14" />`,
   repeat: () => html`<path d="M5 12V9.5A2.5 2.5 0 0 1 7.5 7H18m-3-3 3 3-3 3M19 12v2.5a2.5 2.5 0 0 1-2.5 2.5H6m3 3-3-3 3-3" />`,
   zoom: () => html`<circle cx="11" cy="11" r="6" /><path d="m15.5 15.5 4.5 4.5M8.5 11h5M11 8.5v5" />`,
+  undo: () => html`<path d="M8.5 5 4.5 9l4 4M5 9h9a5 5 0 0 1 0 10h-3" />`,
+  redo: () => html`<path d="m15.5 5 4 4-4 4M19 9h-9a5 5 0 0 0 0 10h3" />`,
+  keep: () => html`<path d="M6 4h12v16l-6-4-6 4Z" />`,
   close: () => html`<path d="M6 6l12 12M18 6 6 18" />`,
 }; // prettier-ignore
 

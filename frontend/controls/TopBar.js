@@ -6,7 +6,9 @@ import { section, setSection } from "../state/paper.js";
 import { choosePreset, preset, schema, setValue, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
 import { APP, TOP, VARIANT_NAMES } from "../texts.js";
+import { KEEP } from "../texts-views.js";
 import { linkOf } from "../url.js";
+import { HistoryTools } from "./HistoryTools.js";
 import { Icon } from "./Icon.js";
 
 export function TopBar() {
@@ -15,6 +17,8 @@ export function TopBar() {
       <h1 class="brand"><${Icon} name="mark" />${APP.name}</h1>
       ${schema.value && html`<${Presets} />${!narrow.value && html`<${Variants} />`}`}
       <div class="top-tools">
+        ${schema.value && !narrow.value && html`<${HistoryTools} />`}
+        <button class="quiet keep" type="button" aria-label=${KEEP.open} title=${KEEP.openHelp} onClick=${() => openDialog("keep")}><${Icon} name="keep" /><span>${KEEP.open}</span></button>
         <button class="quiet paper-button" type="button" aria-pressed=${section.value !== null} onClick=${() => setSection(section.value ? null : "static")}>${section.value ? TOP.instrument : TOP.paper}</button>
         <button class="quiet" type="button" aria-label=${TOP.share} disabled=${!schema.value} onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
         <button class="icon" type="button" aria-label=${theme.value === "dark" ? TOP.toLight : TOP.toDark} title=${theme.value === "dark" ? TOP.toLight : TOP.toDark} onClick=${toggleTheme}>

@@ -31,6 +31,7 @@ export class Layer {
 
   /** Lay down what `paint(context, box, model)` draws; painted anew when `model` or the box is another. */
   draw(context, box, model, paint) {
+    if (context.isFigure) return paint(context, box, model); // to be kept at another sharpness
     if (this.#made?.model !== model || this.#made.width !== box.width || this.#made.height !== box.height) {
       paint(prepare(this.#canvas, box.width, box.height), box, model);
       this.#made = { model, width: box.width, height: box.height };

@@ -10,7 +10,7 @@ const NAMES = {
   ta: "--ta", ct: "--ct", lca: "--lca", ia: "--ia", pca: "--pca",
   cycle: "--cycle", cursor: "--cursor", mostOpen: "--most-open", mostClosed: "--most-closed",
   pressure: "--wave-pressure", flow: "--wave-flow", slope: "--wave-slope", area: "--wave-area",
-  contact: "--wave-contact",
+  contact: "--wave-contact", voiceA: "--voice-a", voiceB: "--voice-b",
 }; // prettier-ignore
 
 /** Colours by name in the theme shown. The attribute is set here so that they are read from the right rules. */
@@ -20,6 +20,17 @@ export const palette = computed(() => {
   const colours = Object.fromEntries(Object.entries(NAMES).map(([key, name]) => [key, style.getPropertyValue(name).trim()]));
   return { ...colours, theme: theme.value };
 });
+
+/** The light colours, whatever the page shows: what is printed stands on white. Read off an element of class "on-white". */
+export function paperPalette() {
+  const place = document.createElement("i");
+  place.className = "on-white";
+  document.body.append(place);
+  const style = getComputedStyle(place);
+  const colours = Object.fromEntries(Object.entries(NAMES).map(([key, name]) => [key, style.getPropertyValue(name).trim()]));
+  place.remove();
+  return { ...colours, theme: "light" };
+}
 
 /** One rem in pixels: the page's own unit, which grows with the screen. */
 export const rootPx = () => parseFloat(getComputedStyle(document.documentElement).fontSize);

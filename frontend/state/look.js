@@ -4,7 +4,7 @@ import { readonly } from "./readonly.js";
 
 const THEME_KEY = "vocalis.theme";
 const system = matchMedia("(prefers-color-scheme: dark)");
-const small = matchMedia("(max-width: 1099px)");
+const small = matchMedia("screen and (max-width: 1099px)");
 
 const _chosenTheme = signal(localStorage.getItem(THEME_KEY) ?? "system"); // system | light | dark
 const _systemDark = signal(system.matches);

@@ -4,6 +4,10 @@ import { readonly } from "./readonly.js";
 
 export const RATES = [25, 50, 100, 200, 400];
 
+/** Images a second of the stroboscope, and how many visible cycles a second it can be set to show. */
+export const FLASHES_HZ = 25;
+export const STROBES = [0.5, 1, 2];
+
 const READOUT_MS = 120; // numbers that change faster cannot be read
 
 const _phase = signal(0.3);
@@ -11,6 +15,7 @@ const _readout = signal(0.3);
 const _moving = signal(!matchMedia("(prefers-reduced-motion: reduce)").matches);
 const _pointing = signal(false);
 const _slowdown = signal(100);
+const _strobe = signal(null);
 
 /** 0 to 1 of the cycle shown. */
 export const phase = readonly(_phase);
@@ -21,6 +26,8 @@ export const moving = readonly(_moving);
 export const pointing = readonly(_pointing);
 /** Shown at one over this speed. */
 export const slowdown = readonly(_slowdown);
+/** Visible cycles a second of the stroboscope, locked to f_o; null: slow motion instead. */
+export const strobe = readonly(_strobe);
 
 let readAt = 0;
 
@@ -58,5 +65,11 @@ export function setMoving(on) {
 }
 
 export function setSlowdown(value) {
+  _strobe.value = null;
   _slowdown.value = value;
+}
+
+/** Light the folds in flashes, each a little later in the cycle, so that `hz` cycles a second are seen at any pitch. */
+export function setStrobe(hz) {
+  _strobe.value = hz;
 }

@@ -50,6 +50,12 @@ export function choosePreset(key) {
   change(presetValues(_schema.value, chosen, _values.value), `preset ${key}`);
 }
 
+/** Set all values at once, as they were before or are wanted by a lesson; what is missing stays. */
+export function restoreValues(next) {
+  change({ ..._values.value, ...next }, "restored");
+  lastPath = ""; // two in a row are two movements
+}
+
 /** The whole of a request document, with defaults for what it does not name; what the page does not set is left out. */
 export function takeRequest(document) {
   const known = Object.entries(flatten(document)).filter(([path]) => _schema.value.parameters.has(path));

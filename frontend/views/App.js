@@ -4,11 +4,11 @@ import { Advanced } from "../controls/Advanced.js";
 import { BreathAndTract } from "../controls/BreathAndTract.js";
 import { Muscles } from "../controls/Muscles.js";
 import { TopBar } from "../controls/TopBar.js";
+import { lesson } from "../state/lessons.js";
 import { narrow, open } from "../state/look.js";
 import { section } from "../state/paper.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
-import { Detail } from "./Detail.js";
 import { HelpDialog } from "./HelpDialog.js";
 import { Login } from "./Login.js";
 import { Maps } from "./Maps.js";
@@ -20,8 +20,15 @@ import { Stage } from "./Stage.js";
 import { Starting } from "./Starting.js";
 import { Strip } from "./Strip.js";
 import { Use } from "./Use.js";
+import { lazy } from "./lazy.js";
 
-const DIALOGS = { help: HelpDialog, measure: MeasureDialog, detail: Detail };
+const CodeDialog = lazy(() => import("./CodeDialog.js"), "CodeDialog");
+const Detail = lazy(() => import("./Detail.js"), "Detail");
+const KeepDialog = lazy(() => import("./KeepDialog.js"), "KeepDialog");
+const ReportDialog = lazy(() => import("./ReportDialog.js"), "ReportDialog");
+const LessonCard = lazy(() => import("./LessonCard.js"), "LessonCard");
+
+const DIALOGS = { help: HelpDialog, measure: MeasureDialog, detail: Detail, keep: KeepDialog, code: CodeDialog, report: ReportDialog };
 
 /** `entered()` is called when the server has taken a token. */
 export function App({ entered }) {
@@ -40,7 +47,7 @@ function Desk() {
     <div class="desk">
       <${TopBar} />
       <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} short=${true} /></aside>
-      <main class="centre"><${Stage} /><${Maps} /></main>
+      <main class="centre"><${Stage} />${lesson.value ? html`<${LessonCard} />` : html`<${Maps} />`}</main>
       <${RightColumn} />
       <${Strip} />
     </div>

@@ -1,10 +1,12 @@
 /** Every measure with its unit, or the reason why there is none. */
-import { html } from "../ui.js";
+import { html, useState } from "../ui.js";
+import { copyTable, measureRows } from "../kept.js";
 import { capital } from "../params.js";
 import { openDialog } from "../state/look.js";
 import { result } from "../state/outcome.js";
 import { catalogue } from "../state/request.js";
 import { MEASURE } from "../texts.js";
+import { COPY_TABLE } from "../texts-views.js";
 import { Symbol } from "../symbol.js";
 import { expected, valueText } from "./measure-text.js";
 
@@ -13,6 +15,7 @@ export function MeasureTable() {
   const groups = Map.groupBy([...catalogue.value.values()], (row) => row.group);
   return html`
     <div class="measure-table" tabindex="0" role="region" aria-label=${MEASURE.table}>
+      <${CopyButton} />
       <table>
         <caption class="visually-hidden">${MEASURE.table}</caption>
         ${[...groups].map(([group, rows]) => html`
@@ -25,6 +28,13 @@ export function MeasureTable() {
       <p class="caution">${MEASURE.caution}</p>
     </div>
   `;
+}
+
+function CopyButton() {
+  const [said, say] = useState("");
+  const copy = () =>
+    copyTable(measureRows(catalogue.peek(), result.peek()?.measures ?? {}, COPY_TABLE.columns)).then(() => say(COPY_TABLE.copied), () => say(COPY_TABLE.failed));
+  return html`<p class="copy-table"><span role="status" class="when">${said}</span><button type="button" class="button small" onClick=${copy}>${COPY_TABLE.copy}</button></p>`;
 }
 
 function Row({ row }) {

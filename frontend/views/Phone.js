@@ -3,30 +3,47 @@ import { html } from "../ui.js";
 import { Advanced } from "../controls/Advanced.js";
 import { BreathAndTract } from "../controls/BreathAndTract.js";
 import { Muscles } from "../controls/Muscles.js";
+import { HistoryTools } from "../controls/HistoryTools.js";
 import { SoundControls } from "../controls/SoundControls.js";
 import { TopBar, Variants } from "../controls/TopBar.js";
-import { setTab, tab } from "../state/look.js";
+import { lesson } from "../state/lessons.js";
+import { openDialog, panel, setPanel, setTab, tab } from "../state/look.js";
 import { result } from "../state/outcome.js";
-import { HEADLINES, RUN, TABS } from "../texts.js";
+import { HEADLINES, PANELS, RUN, TABS } from "../texts.js";
+import { KEEP, LESSONS } from "../texts-views.js";
 import { Headline } from "./Headline.js";
-import { LongRun } from "./LongRun.js";
 import { Maps } from "./Maps.js";
-import { MeasureTable } from "./MeasureTable.js";
 import { Play } from "./Play.js";
 import { PhonationState } from "./PhonationState.js";
 import { PostureLine } from "./PostureLine.js";
+import { CONTENT as PANEL_CONTENT } from "./RightColumn.js";
 import { Shapes } from "./Shapes.js";
 import { Stage } from "./Stage.js";
 import { TabList } from "./TabList.js";
 import { Use } from "./Use.js";
+import { lazy } from "./lazy.js";
 import { Waves } from "./Waves.js";
+
+const HistoryList = lazy(() => import("./HistoryList.js"), "HistoryList");
+const LessonCard = lazy(() => import("./LessonCard.js"), "LessonCard");
+const LessonList = lazy(() => import("./LessonList.js"), "LessonList");
+const LongRun = lazy(() => import("./LongRun.js"), "LongRun");
+const MeasureTable = lazy(() => import("./MeasureTable.js"), "MeasureTable");
+
+const WAVE_PANELS = Object.fromEntries(["waves", "voice", "folds", "compare"].map((key) => [key, PANELS[key]]));
+const wavePanel = () => (panel.value in WAVE_PANELS ? panel.value : "waves");
 
 const CONTENT = {
   muscles: () => html`<${PostureLine} /><${Muscles} /><${BreathAndTract} /><${Advanced} />`,
   play: () => html`<${Play} />`,
-  waves: () => html`<${Waves} /><${Shapes} /><${Maps} />`,
+  waves: () => html`
+    <${TabList} name="panel" texts=${WAVE_PANELS} chosen=${wavePanel()} choose=${setPanel} />
+    <div role="tabpanel" id="panel-content" aria-labelledby=${`panel-${wavePanel()}`}>
+      ${wavePanel() === "waves" ? html`<${Waves} /><${Shapes} /><${Maps} />` : PANEL_CONTENT[wavePanel()]()}
+    </div>
+  `,
   numbers: () => html`<div class="headlines">${HEADLINES.map((item) => html`<${Headline} key=${item.key} item=${item} shown=${result.value} />`)}</div><${MeasureTable} />`,
-  more: () => html`<${SoundControls} /><${Variants} /><h2>${RUN.title}</h2><${LongRun} /><${Use} />`,
+  more: () => html`<${SoundControls} /><${HistoryTools} /><button type="button" class="button" onClick=${() => openDialog("keep")}>${KEEP.title}</button><h2>${LESSONS.title}</h2><${LessonList} /><${HistoryList} /><${Variants} /><h2>${RUN.title}</h2><${LongRun} /><${Use} />`,
 };
 
 export function Phone() {
@@ -37,6 +54,7 @@ export function Phone() {
         <${Stage} compact=${true} />
         <div class="phone-state"><${PhonationState} /><${SoundControls} /></div>
       </main>
+      ${lesson.value && html`<${LessonCard} />`}
       <${TabList} name="tab" texts=${TABS} chosen=${tab.value} choose=${setTab} />
       <section class=${`phone-content tab-${tab.value}`} role="tabpanel" id="tab-content" aria-labelledby=${`tab-${tab.value}`}>${CONTENT[tab.value]()}</section>
     </div>

@@ -1,16 +1,22 @@
 /**
  * A canvas that follows state. `model()` reads signals and may answer null (nothing to show); `paint(context, box,
  * model)` draws it in the next frame, once, however often the state changed since the last. `ground(model)`: the colour
- * behind it, where there is one.
+ * behind it, where there is one. With a `title` it can be kept as a file while it is on the page.
  */
 import { effect, html, signal, useEffect, useRef } from "../ui.js";
 import { Disposal } from "../dispose.js";
 import { forget, inFrame } from "../frame.js";
+import { offer } from "../plots/figures.js";
 import { prepare } from "../plots/canvas.js";
 
-export function Picture({ model, paint, label, name, ground }) {
+export function Picture({ model, paint, label, name, ground, title }) {
   const canvas = useRef(null);
   useEffect(() => follow(canvas.current, model, paint, ground), []);
+  useEffect(() => {
+    if (!title) return;
+    const size = () => ({ width: canvas.current.clientWidth, height: canvas.current.clientHeight });
+    return offer({ name, title, model, paint, size });
+  }, [title]);
   const words = label ? { role: "img", "aria-label": label } : { "aria-hidden": "true" };
   return html`<canvas ref=${canvas} class="picture" data-picture=${name} ...${words}></canvas>`;
 }

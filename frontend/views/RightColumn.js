@@ -1,19 +1,31 @@
-/** The right column: waves, all measures, or a longer run. */
+/** The right column: one of the ways to look at what came out. */
 import { html } from "../ui.js";
 import { panel, setPanel } from "../state/look.js";
 import { PANELS } from "../texts.js";
-import { LongRun } from "./LongRun.js";
-import { MeasureTable } from "./MeasureTable.js";
 import { Play } from "./Play.js";
 import { Shapes } from "./Shapes.js";
 import { TabList } from "./TabList.js";
 import { Waves } from "./Waves.js";
+import { lazy } from "./lazy.js";
 
-const CONTENT = {
+const ComparePanel = lazy(() => import("./ComparePanel.js"), "ComparePanel");
+const FoldsPanel = lazy(() => import("./FoldsPanel.js"), "FoldsPanel");
+const HistoryList = lazy(() => import("./HistoryList.js"), "HistoryList");
+const LessonList = lazy(() => import("./LessonList.js"), "LessonList");
+const LongRun = lazy(() => import("./LongRun.js"), "LongRun");
+const VoicePanel = lazy(() => import("./VoicePanel.js"), "VoicePanel");
+const MeasureTable = lazy(() => import("./MeasureTable.js"), "MeasureTable");
+
+/** What stands under each tab; the phone shows some of them too. */
+export const CONTENT = {
   waves: () => html`<${Waves} /><${Shapes} />`,
+  voice: () => html`<${VoicePanel} />`,
+  folds: () => html`<${FoldsPanel} />`,
+  compare: () => html`<${ComparePanel} />`,
   measures: () => html`<${MeasureTable} />`,
   play: () => html`<${Play} />`,
-  run: () => html`<${LongRun} />`,
+  lessons: () => html`<${LessonList} />`,
+  run: () => html`<${LongRun} /><${HistoryList} />`,
 };
 
 export function RightColumn() {

@@ -48,7 +48,7 @@ export function Shapes() {
           ${["open", "closed", "static"].map((key) => html`<li><i class=${`key shape-${key}`}></i>${SHAPES[key]}</li>`)}
         </ul>
       </figcaption>
-      <${Picture} name="shapes" model=${model} paint=${paint} label=${SHAPES.picture} />
+      <${Picture} name="shapes" title=${SHAPES.title} model=${model} paint=${paint} label=${SHAPES.picture} />
       <p class="wave-foot"><span>${SHAPES.along}</span><span>${SHAPES.edges}</span></p>
     </figure>
   `;

@@ -36,7 +36,7 @@ export function Stage({ compact = false }) {
       </div>
       ${!compact && html`<${PostureLine} />`}
       <div class="stage-view">
-        <${Picture} name="stage" model=${stageModel} paint=${stagePainter()} ground=${groundOf} label=${STAGE.picture} />
+        <${Picture} name="stage" title=${STAGE.title} model=${stageModel} paint=${stagePainter()} ground=${groundOf} label=${STAGE.picture} />
         ${!compact && html`<${Legend} /><${Closure} />`}
       </div>
       <${Transport} />
@@ -84,6 +84,15 @@ function liveFolds(frame) {
   const edges = staticEdges(frame);
   return { edges, contact: edges.inner.map((r) => Math.min(1, Math.max(0, -r) / HARD_MM)) };
 }
+
+/** The stage in other colours, to be kept or printed; null before the first posture. */
+export function paperStage(colours) {
+  const model = stageModel();
+  return model && { ...model, still: { ...model.still, colours } };
+}
+
+/** Paint a stage model without layers. */
+export const paintStage = (context, box, model) => stagePainter()(context, box, model);
 
 function stagePainter() {
   const behind = new Layer();

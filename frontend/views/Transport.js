@@ -1,8 +1,9 @@
 /** Slow motion: play, the phase of the cycle, and the rate it is shown at. */
 import { html, useComputed } from "../ui.js";
 import { Icon } from "../controls/Icon.js";
-import { RATES, holdPhase, moving, readout, setMoving, setSlowdown, slowdown } from "../state/motion.js";
+import { RATES, STROBES, holdPhase, moving, readout, setMoving, setSlowdown, setStrobe, slowdown, strobe } from "../state/motion.js";
 import { STAGE } from "../texts.js";
+import { STROBE } from "../texts-views.js";
 
 export function Transport() {
   const percent = useComputed(() => `${Math.floor(readout.value * 100)}`.padStart(2, "\u2007") + " %");
@@ -20,10 +21,17 @@ export function Transport() {
       <output class="percent">${percent}</output>
       <label class="pick speed">
         <span class="visually-hidden">${STAGE.speed}</span>
-        <select value=${slowdown.value} onChange=${(event) => setSlowdown(Number(event.target.value))}>
-          ${RATES.map((n) => html`<option value=${n}>${STAGE.speedOf(n)}</option>`)}
+        <select value=${strobe.value ? `strobe ${strobe.value}` : slowdown.value} onChange=${choose}>
+          <optgroup label=${STROBE.slow}>${RATES.map((n) => html`<option value=${n}>${STAGE.speedOf(n)}</option>`)}</optgroup>
+          <optgroup label=${STROBE.name}>${STROBES.map((hz) => html`<option value=${`strobe ${hz}`}>${STROBE.locked(hz)}</option>`)}</optgroup>
         </select>
       </label>
     </div>
   `;
+}
+
+function choose({ target: { value } }) {
+  const [, hz] = /^strobe (.*)$/.exec(value) ?? [];
+  if (hz) setStrobe(Number(hz));
+  else setSlowdown(Number(value));
 }

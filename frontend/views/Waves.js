@@ -26,7 +26,7 @@ export function Waves() {
   return html`
     <div class="waves">
       <div class="wave-stack">
-        <${Picture} name="waves" label=${WAVES.picture} paint=${paintWaves} model=${() => rows.value && { shown: result.value, stack: rows.value, limits: limits.value, colours: palette.value }} />
+        <${Picture} name="waves" title=${WAVES.stack} label=${WAVES.picture} paint=${paintWaves} model=${() => rows.value && { shown: result.value, stack: rows.value, limits: limits.value, colours: palette.value }} />
         <${Cursor} rows=${rows} />
         <div class="wave-names" style=${{ "--rows": ROWS.length }}>
           ${ROWS.map((row, k) => html`<div class="wave-name" key=${row.key}><span>${WAVES[row.key]}</span> <${AtCursor} row=${row} index=${k} /></div>`)}

@@ -46,6 +46,7 @@ def test_every_measure_is_the_one_of_the_api(visit):
     here.page.get_by_role("tab", name="Measures").click()
     measures = here.api(f"jobs/{here.result_id()}/result")["measures"]
     catalogue = {row["key"]: row for row in here.api("measures")["measures"]}
+    here.page.locator("tr[data-measure]").first.wait_for()
     assert here.page.locator("tr[data-measure]").count() == len(catalogue) == len(measures)
     for key, measure in measures.items():
         row = here.page.locator(f"tr[data-measure={key}]")

@@ -7,7 +7,7 @@ PAPER_STEP = "?run.time_step_s=1.7857142857142857e-6"
 
 def test_a_longer_run_shows_its_progress_and_can_be_cancelled(visit):
     here = visit(PAPER_STEP)
-    here.page.get_by_role("tab", name="Long run").click()
+    here.page.get_by_role("tab", name="Runs").click()
     here.page.get_by_label("Duration").fill("10")
     here.page.get_by_role("button", name="Run").click()
     status = here.page.locator(".job p[role=status]")
@@ -22,7 +22,7 @@ def test_a_longer_run_shows_its_progress_and_can_be_cancelled(visit):
 def test_a_finished_run_can_be_shown_heard_and_kept(visit):
     here = visit("?activation.ct=0.7")
     live = here.result_id()
-    here.page.get_by_role("tab", name="Long run").click()
+    here.page.get_by_role("tab", name="Runs").click()
     here.page.get_by_label("Duration").fill("3")
     here.page.get_by_role("button", name="Run").click()
     here.page.get_by_role("button", name="Show here").click(timeout=60_000)
@@ -34,7 +34,7 @@ def test_a_finished_run_can_be_shown_heard_and_kept(visit):
     here.page.get_by_role("tab", name="Waves").click()
     here.settle()
     assert here.ink("waves") > 0.01
-    here.page.get_by_role("tab", name="Long run").click()
+    here.page.get_by_role("tab", name="Runs").click()
     for link in here.page.locator(".run-actions a").all():
         assert here.page.request.get(link.get_attribute("href")).status == 200
     here.slider("activation.ct").press("ArrowRight")
@@ -50,6 +50,6 @@ def test_a_run_that_is_refused_says_why(visit):
         "**/api/v1/jobs",
         lambda route: route.fulfill(status=422, body=refusal, content_type="application/problem+json"),
     )
-    here.page.get_by_role("tab", name="Long run").click()
+    here.page.get_by_role("tab", name="Runs").click()
     here.page.get_by_role("button", name="Run").click()
     here.page.get_by_text("This run is too long for this server.").wait_for()

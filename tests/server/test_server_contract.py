@@ -8,6 +8,8 @@ import pytest
 
 import vfcore
 from tests.server.live_server import SHORT
+from vfcore.acoustics.resonances import closed_glottis_formants
+from vfcore.acoustics.tract import vowel_tract
 from vfcore.request import numeric_paths, simulation_from_dict
 from vfcore.result import ARRAYS
 from vfcore.simulate import prepare
@@ -123,3 +125,16 @@ def test_octets_can_be_restricted_to_chosen_arrays(client):
     refused = client.post("/simulate?arrays=loudness", json=SHORT, headers=OCTETS)
     assert refused.status_code == 422
     assert refused.json()["errors"][0]["path"] == "arrays"
+
+
+def test_the_tract_is_the_one_the_voice_goes_through(client):
+    answer = client.get("/tract/i").json()
+    tubes = vowel_tract("i")
+    assert answer["areas_m2"] == list(tubes.areas_m2)
+    assert [row["frequency_hz"] for row in answer["formants"]] == list(closed_glottis_formants(tubes, 5).frequency_hz)
+    gain = dict(zip(answer["frequency_hz"], answer["lip_pressure_per_flow_pa_s_m3"], strict=True))
+    peak = max((f for f in gain if f < 800), key=gain.get)
+    assert peak == pytest.approx(answer["formants"][0]["frequency_hz"], abs=10)
+    faster = client.get("/tract/i", params={"c_a_m_s": 420}).json()
+    assert faster["formants"][1]["frequency_hz"] == pytest.approx(1.2 * answer["formants"][1]["frequency_hz"], rel=0.01)
+    assert client.get("/tract/y").status_code == 422

@@ -1,0 +1,42 @@
+/** The pictures on the page now, to be kept as files: every one is painted again by its own painter. */
+import { signal } from "../ui.js";
+import { SvgContext } from "./svg-context.js";
+
+const PNG_RATIO = 3; // for print at 300 dpi
+const shown = signal([]);
+
+/** [{name, title, model, paint, size}] of what is mounted and has a title. */
+export const figures = shown;
+
+/** Offer a picture while it is on the page; returns the end of it. */
+export function offer(figure) {
+  shown.value = [...shown.peek(), figure];
+  return () => (shown.value = shown.peek().filter((other) => other !== figure));
+}
+
+/** The figure as SVG text; null while it has nothing to show. */
+export function svgOf({ title, model, paint, size }, ground) {
+  const seen = model();
+  if (!seen) return null;
+  const { width, height } = size();
+  const context = new SvgContext(width, height, title);
+  paint(context, { width, height }, seen);
+  return context.text(ground);
+}
+
+/** The figure as a PNG blob, three pixels for one of the page; null while it has nothing to show. */
+export function pngOf({ model, paint, size }, ground) {
+  const seen = model();
+  if (!seen) return null;
+  const { width, height } = size();
+  const canvas = document.createElement("canvas");
+  canvas.width = Math.round(width * PNG_RATIO);
+  canvas.height = Math.round(height * PNG_RATIO);
+  const context = canvas.getContext("2d");
+  context.isFigure = true;
+  context.scale(PNG_RATIO, PNG_RATIO);
+  context.fillStyle = ground;
+  context.fillRect(0, 0, width, height);
+  paint(context, { width, height }, seen);
+  return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+}

@@ -1,0 +1,55 @@
+/** The guided tour: which lessons there are, and the step one is at. A step sets the voice and where to look. */
+import { batch, computed, signal } from "../ui.js";
+import { defaultValues } from "../params.js";
+import { setPanel } from "./look.js";
+import { setMoving, setSlowdown } from "./motion.js";
+import { readonly } from "./readonly.js";
+import { restoreValues, schema } from "./request.js";
+
+const _index = signal(null);
+const _lesson = signal(null);
+const _step = signal(0);
+const _problem = signal(false);
+
+/** [{key, title, about, steps}], or null before they are loaded. */
+export const lessons = readonly(_index);
+/** The lesson under way, or null. */
+export const lesson = readonly(_lesson);
+export const step = readonly(_step);
+export const lessonProblem = readonly(_problem);
+export const present = computed(() => _lesson.value?.steps[_step.value] ?? null);
+
+export function takeLessons(index) {
+  _index.value = index;
+  _problem.value = false;
+}
+
+export function takeLessonProblem() {
+  _problem.value = true;
+}
+
+export function beginLesson(full) {
+  _lesson.value = full;
+  goToStep(0);
+}
+
+export function goToStep(place) {
+  const { set, look } = _lesson.peek().steps[place];
+  batch(() => {
+    _step.value = place;
+    restoreValues({ ...defaultValues(schema.peek()), ...set });
+    setPanel(look.panel);
+    if (look.slowdown) {
+      setSlowdown(look.slowdown);
+      setMoving(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+    }
+  });
+}
+
+/** Back to the list; the voice stays. */
+export function endLesson() {
+  batch(() => {
+    _lesson.value = null;
+    setPanel("lessons");
+  });
+}

@@ -1,0 +1,90 @@
+/** A and B side by side: what differs in settings and measures, the waves over each other, both to hear. */
+import { computed, html } from "../ui.js";
+import { numberText } from "../plots/axis.js";
+import { drawComparison } from "../plots/compare-draw.js";
+import { cycleOf } from "../plots/compare.js";
+import { palette, rootPx, smallFont } from "../plots/theme.js";
+import { hear, heard, held, hold, release, second } from "../state/compare.js";
+import { compareMode, setCompareMode } from "../state/deeper.js";
+import { rested } from "../state/rested.js";
+import { catalogue, restoreValues, schema } from "../state/request.js";
+import { Symbol } from "../symbol.js";
+import { HEADLINES, STATES, WAVES } from "../texts.js";
+import { COMPARE } from "../texts-views.js";
+import { valueText } from "./measure-text.js";
+import { Picture } from "./Picture.js";
+import { differingSettings, valueOf } from "./settings-text.js";
+
+const SHORT = { ...Object.fromEntries(HEADLINES.map(({ key, label }) => [key, label])), ...COMPARE.short };
+const ROWS = Object.keys(SHORT);
+
+const cycleA = computed(() => held.value.a && cycleOf(held.value.a.result));
+const cycleB = computed(() => {
+  const shown = held.value.b?.result ?? rested.value;
+  return shown && cycleOf(shown);
+});
+
+function wavesModel() {
+  if (!held.value.a) return null;
+  return { a: cycleA.value, b: cycleB.value, mode: compareMode.value, colours: palette.value, names: WAVES };
+}
+
+const paint = (context, box, model) => drawComparison(context, box, model, rootPx(), smallFont(), COMPARE);
+
+export function ComparePanel() {
+  const { a, b } = held.value;
+  return html`
+    <div class="compare">
+      <div class="compare-actions">
+        <button type="button" class="button mark-a" aria-pressed=${a !== null} title=${COMPARE.holdHelp.a} onClick=${() => hold("a")}>${COMPARE.hold.a}</button>
+        <button type="button" class="button mark-b" aria-pressed=${b !== null} title=${COMPARE.holdHelp.b} onClick=${() => (b ? release("b") : hold("b"))}>${b ? COMPARE.free : COMPARE.hold.b}</button>
+        ${a && html`<button type="button" class="quiet" onClick=${() => restoreValues(a.values)}>${COMPARE.back}</button><button type="button" class="quiet" onClick=${() => release("a")}>${COMPARE.forget}</button>`}
+      </div>
+      ${a ? html`<${Pair} a=${a} b=${second.value} live=${!b} />` : html`<p>${COMPARE.start}</p>`}
+    </div>
+  `;
+}
+
+function Pair({ a, b, live }) {
+  const settings = differingSettings(schema.value, a.values, b.values);
+  return html`
+    <div class="compare-hear" role="group" aria-label=${COMPARE.hearHelp}>
+      ${["a", "b", "turn"].map((which) => html`<button key=${which} type="button" class="button" aria-pressed=${heard.value === which} title=${COMPARE.hearHelp} onClick=${() => hear(which)}>${heard.value === which ? COMPARE.stop : COMPARE.hear[which]}</button>`)}
+      <span class="when">${COMPARE.hearHelp}</span>
+    </div>
+    <table class="compare-table">
+      <thead><tr><th scope="col">${COMPARE.measure}</th><th scope="col" class="mark-a">A</th><th scope="col" class="mark-b">B <span class="when">${live ? COMPARE.live : COMPARE.heldMark}</span></th><th scope="col">${COMPARE.difference}</th></tr></thead>
+      <tbody>
+        ${a.result.state !== b.result.state && html`<tr class="states"><th scope="row">${COMPARE.state}</th><td>${STATES[a.result.state]}</td><td>${STATES[b.result.state]}</td><td></td></tr>`}
+        ${settings.map((row) => html`<tr key=${row.key} class="setting"><th scope="row">${row.name}</th><td>${valueOf(row, a.values)}</td><td>${valueOf(row, b.values)}</td><td></td></tr>`)}
+        ${!settings.length && html`<tr class="setting"><th colspan="4" scope="colgroup">${COMPARE.sameSettings}</th></tr>`}
+        ${ROWS.map((key) => html`<${MeasureRow} key=${key} row=${catalogue.value.get(key)} a=${a.result.measures[key]} b=${b.result.measures[key]} />`)}
+      </tbody>
+    </table>
+    <figure class="plot">
+      <figcaption>
+        <h2>${COMPARE.waves}</h2>
+        <div class="segments small" role="group" aria-label=${COMPARE.modeName}>
+          ${Object.entries(COMPARE.mode).map(([mode, text]) => html`<button key=${mode} type="button" class="segment" aria-pressed=${compareMode.value === mode} onClick=${() => setCompareMode(mode)}><span>${text}</span></button>`)}
+        </div>
+      </figcaption>
+      <${Picture} name="compare" title=${COMPARE.title} model=${wavesModel} paint=${paint} label=${COMPARE.picture} />
+    </figure>
+  `;
+}
+
+function MeasureRow({ row, a, b }) {
+  return html`
+    <tr data-compared=${row.key}>
+      <th scope="row">${SHORT[row.key]} <${Symbol} text=${row.symbol} /></th><td>${valueText(a, row)}</td><td>${valueText(b, row)}</td><td class="change">${changeText(row, a, b)}</td>
+    </tr>
+  `;
+}
+
+/** B − A with its sign; a dash where either has no value. Pure. */
+export function changeText(row, a, b) {
+  if (a?.value == null || b?.value == null) return COMPARE.none;
+  const change = b.value - a.value;
+  const text = numberText(change, row.decimals);
+  return change > 0 && Number(change.toFixed(row.decimals)) !== 0 ? `+${text}` : text;
+}
