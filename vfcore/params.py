@@ -88,6 +88,7 @@ VARIANTS = {
 
 COUPLING_GRADIENTS = ("inferior_stiff", "superior_stiff")
 SHEAR_FORMS = ("kelvin_voigt", "rotation")
+COUPLINGS = ("one_way", "two_way")
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +103,10 @@ class Model:
         None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model.md"
     )
     shear: str | None = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model.md")
-    coupling: str = choice("one_way", "source–tract coupling", ("one_way",), source=f"{PAPER}, Acoustic output")
+    coupling: str = choice(
+        "one_way", "source–tract coupling", COUPLINGS, source=f"{PAPER}, Acoustic output; two_way: Titze (2008)",
+        help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds",
+    )  # fmt: skip
 
     def __post_init__(self):
         validate(self, "model.")

@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfcore.acoustics.airways import Airways, airways
 from vfcore.acoustics.impulse_response import radiate
-from vfcore.acoustics.tract import vowel_tract
+from vfcore.acoustics.tract import Tract, vowel_tract
 from vfcore.assemble import Fold, assemble
 from vfcore.kernels.layout import RECORD
 from vfcore.march import March, contact_location
@@ -80,7 +81,9 @@ def simulate(
     """
     ready = prepare(request)
     fold, run = ready.fold, request.run
-    march = March(fold, time_step_s(run, fold), request.subglottal_pressure_pa, run.pressure_rise_s)
+    step_s = time_step_s(run, fold)
+    beside = _airways(request, step_s)
+    march = March(fold, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, beside)
     march.start_static(ready.static) if run.start == "static" else march.start_flat()
     sample_s = march.time_step_s * march.record_every
     samples = round(run.duration_s / sample_s)
@@ -88,7 +91,7 @@ def simulate(
     record = march.run(samples, progress, stop)
     kernel_seconds = time.perf_counter() - began
 
-    arrays = _waveforms(request, record, sample_s, fold.nx)
+    arrays = _waveforms(record, sample_s, fold.nx, beside.supraglottal if beside else _tract(request))
     report = measure_all(_signals(request, ready, arrays, sample_s))
     first, last, complete = _cycle_bounds(report, march, samples, sample_s)
     arrays |= {
@@ -111,10 +114,19 @@ def simulate(
     )
 
 
-def _waveforms(request: Simulation, record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
+def _tract(request: Simulation) -> Tract:
+    return vowel_tract(request.vowel, request.constants.rho_a_kg_m3, request.constants.c_a_m_s)
+
+
+def _airways(request: Simulation, step_s: float) -> Airways | None:
+    """What acts back on the folds: both tracts with two-way coupling, nothing with one-way."""
+    if request.model.coupling == "one_way":
+        return None
+    return airways(request.vowel, request.constants.rho_a_kg_m3, request.constants.c_a_m_s, step_s)
+
+
+def _waveforms(record: np.ndarray, sample_s: float, nx: int, tract: Tract) -> dict[str, np.ndarray]:
     column = {name: np.ascontiguousarray(record[:, k]) for k, name in enumerate(RECORD)}
-    air = request.constants
-    tract = vowel_tract(request.vowel, air.rho_a_kg_m3, air.c_a_m_s)
     sound = radiate(column["glottal_flow_m3_s"], sample_s, tract)
     return {
         "time_s": np.arange(len(record)) * sample_s,
@@ -125,6 +137,8 @@ def _waveforms(request: Simulation, record: np.ndarray, sample_s: float, nx: int
         "contact_pressure_max_pa": column["contact_pressure_max_pa"],
         "contact_location": contact_location(record, nx),
         "contact_area_m2": column["contact_area_m2"],
+        "inlet_pressure_pa": column["inlet_pressure_pa"],
+        "outlet_pressure_pa": column["outlet_pressure_pa"],
     }
 
 

@@ -39,6 +39,10 @@ def transfer_function(tract: Tract, freqs_hz: np.ndarray) -> TransferFunction:
     phase = 2 * np.pi * np.asarray(freqs_hz, dtype=np.float64) * tract.section_travel_s
     if tract.radiation == "open":
         pressure = np.zeros(phase.shape, dtype=complex)
+    elif tract.radiation == "lungs":
+        reflection = tract.lip_reflection[0]
+        resistance = tract.impedance_pa_s_m3[-1] * (1 + reflection) / (1 - reflection)
+        pressure = np.full(phase.shape, resistance, dtype=complex)
     else:
         resistance, inertance = tract.radiation_resistance_inertance
         reactance = 1j * (2 / tract.section_travel_s) * np.tan(phase / 2) * inertance

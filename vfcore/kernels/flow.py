@@ -59,16 +59,19 @@ def viscous_segment(r0, r1, half_dy):
 
 
 @jit
-def slice_flux(P_s, viscous_integral, d_sep, d_min, half_rho_a, twelve_mu_a):
-    """Flow per unit width q, m²/s; 0 in a closed slice."""
+def slice_flux(drop, viscous_integral, d_sep, d_min, half_rho_a, twelve_mu_a):
+    """Flow per unit width q, m²/s, under the drop p(inlet) − p(outlet); odd in it, and 0 in a closed slice."""
     r = reciprocal(d_sep)
-    A = half_rho_a * r * r
-    B = twelve_mu_a * viscous_integral
-    q = 2.0 * P_s / (B + math.sqrt(B * B + 4.0 * A * P_s) + 1e-300)
-    return q if d_min > 0.0 else 0.0
+    return flux(drop, half_rho_a * r * r, twelve_mu_a * viscous_integral) if d_min > 0.0 else 0.0
+
+
+@jit
+def flux(drop, A, B):
+    """q that satisfies A q |q| + B q = drop, m²/s."""
+    return 2.0 * drop / (B + math.sqrt(B * B + 4.0 * A * abs(drop)) + 1e-300)
 
 
 @jit
 def pressure(P_s, q, r, viscous_integral, half_rho_a, twelve_mu_a):
     """p_aero at an attached node, Pa."""
-    return P_s - half_rho_a * q * q * r * r - twelve_mu_a * q * viscous_integral
+    return P_s - half_rho_a * q * abs(q) * r * r - twelve_mu_a * q * viscous_integral

@@ -21,20 +21,24 @@ of the compiled loop.
 import math
 from functools import lru_cache
 
-from vfcore.kernels import contact, flow, membrane
+from vfcore.kernels import airways, contact, flow, membrane
 from vfcore.kernels.jit import compile_columns, jit
 from vfcore.kernels.layout import FIRST, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
 gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
-viscous_segment, slice_flux, pressure = flow.viscous_segment, flow.slice_flux, flow.pressure
+viscous_segment, flux, pressure = flow.viscous_segment, flow.flux, flow.pressure
 tension, coupling = membrane.tension, membrane.coupling
 shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
+advance_airways, viscous_share = airways.advance_airways, airways.viscous_share
+DROP, FLOW, INLET, OUTLET, SMALLEST_DROP_PA = (
+    airways.DROP, airways.FLOW, airways.INLET, airways.OUTLET, airways.SMALLEST_DROP_PA,
+)  # fmt: skip
 
 
 @lru_cache(maxsize=32)
-def step_kernel(nx: int, ny: int, rotation: bool):
-    """The compiled loop for one grid: ``advance(buf, par, P_s, record_every, record) -> None``.
+def step_kernel(nx: int, ny: int, rotation: bool, coupled: bool = False):
+    """The compiled loop for one grid: ``advance(buf, par, P_s, record_every, record, air) -> None``.
 
     ``buf``: Layout(nx, ny).size float64. ``par``: layout.SCALARS. ``P_s``: lung pressure at
     each of the steps, Pa. ``record``: (len(P_s)//record_every, 5), layout.RECORD at the state
@@ -51,21 +55,24 @@ def step_kernel(nx: int, ny: int, rotation: bool):
     WB, VB, DB = L.line("w_b"), L.line("v_b"), L.line("dv_b")
     FB, AB, LOAD = L.line("beam_force"), L.line("beam_acceleration"), L.line("beam_load")
     INV, WIDTH, PC = L.line("inverse_density"), L.line("width"), L.line("slice_contact")
+    QA, QB, QS = L.line("bernoulli"), L.line("viscous_line"), L.line("slice_flow")
     BI = L.beam_inverse
 
     @jit
-    def advance(buf, par, P_s_of, record_every, record):
+    def advance(buf, par, P_s_of, record_every, record, air):
         dt, dy, alpha_s, half_rho_a, twelve_mu_a, T = par[0], par[1], par[2], par[3], par[4], par[5]
         G_t, eta_t, C_coup, K_col, C_col, K_foun = par[6], par[7], par[8], par[9], par[10], par[11]
         C_foun, per_rho_l, per_J, G_m, eta_m = par[12], par[13], par[14], par[15], par[16]
         per_dy, half_dy, four_per_dt2 = 1.0 / dy, 0.5 * dy, 4.0 / (dt * dt)
 
         for n in range(P_s_of.size):
-            P_s = P_s_of[n]
-            area, flow_rate, contact_area = 0.0, 0.0, 0.0
+            inlet, outlet, drop = P_s_of[n], 0.0, P_s_of[n]
+            area, flow_rate, slope, contact_area = 0.0, 0.0, 0.0, 0.0
+            if coupled:
+                drop = max(abs(air[DROP]), SMALLEST_DROP_PA)
 
+            # flow: gaps, running minimum from the inlet, separation, each slice's resistance
             for i in range(C1, C1 + N):
-                # flow: gaps, running minimum from the inlet, separation, flux
                 buf[M + ny * S + i] = 1.0
                 d_max = 0.0
                 for k in range(ny):
@@ -84,8 +91,22 @@ def step_kernel(nx: int, ny: int, rotation: bool):
                     buf[I + o] = integral
                     if k < ny - 1:
                         integral += on * viscous_segment(buf[R + o], buf[R + o - S], half_dy)
-                q = slice_flux(P_s, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
+                r_sep = reciprocal(d_sep)
+                A, B = half_rho_a * r_sep * r_sep, twelve_mu_a * integral
+                q = flux(drop, A, B) if d_min > 0.0 else 0.0
+                buf[QA + i], buf[QB + i], buf[QS + i] = A, B, q
+                area += d_min * buf[WIDTH + i]
+                flow_rate += q * buf[WIDTH + i]
+                if coupled:
+                    slope += buf[WIDTH + i] / math.sqrt(B * B + 4.0 * A * drop) if d_min > 0.0 else 0.0
+            if coupled:
+                advance_airways(air, P_s_of[n], flow_rate / math.sqrt(drop), viscous_share(flow_rate, slope, drop))
+                inlet, outlet, drop, flow_rate = air[INLET], air[OUTLET], air[DROP], air[FLOW]
 
+            for i in range(C1, C1 + N):
+                q = buf[QS + i]
+                if coupled:
+                    q = flux(drop, buf[QA + i], buf[QB + i]) if buf[M + i] > 0.0 else 0.0
                 # contact and membrane: all forces but shear; the beam's share of the coupling
                 w_b = buf[WB + i]
                 v_b = buf[VB + i] + 0.5 * buf[DB + i]
@@ -95,7 +116,8 @@ def step_kernel(nx: int, ny: int, rotation: bool):
                     w = buf[W + o]
                     v = buf[V + o] + 0.5 * buf[DV + o]
                     weight = 0.5 if j == 0 or j == ny - 1 else 1.0
-                    p_aero = buf[AT + o] * pressure(P_s, q, buf[R + o], buf[I + o], half_rho_a, twelve_mu_a)
+                    p_aero = pressure(inlet, q, buf[R + o], buf[I + o], half_rho_a, twelve_mu_a)
+                    p_aero = outlet + buf[AT + o] * (p_aero - outlet) if coupled else buf[AT + o] * p_aero
                     p_col = contact_pressure(w, v, buf[G + o], K_col, C_col)
                     traction = coupling(w, v, w_b, v_b, buf[K + o], C_coup)
                     largest = max(p_col, largest)
@@ -131,8 +153,6 @@ def step_kernel(nx: int, ny: int, rotation: bool):
                 load = to_beam * dy - K_foun * w_b - C_foun * v_b
                 buf[FB + i] = load * per_rho_l + buf[LOAD + i] + four_per_dt2 * w_b
                 buf[PC + i] = largest
-                area += d_min * buf[WIDTH + i]
-                flow_rate += q * buf[WIDTH + i]
                 contact_area += touched * buf[WIDTH + i]
 
             if n % record_every == 0:
@@ -142,6 +162,8 @@ def step_kernel(nx: int, ny: int, rotation: bool):
                 record[row, 2] = 0.0
                 record[row, 3] = math.nan
                 record[row, 4] = contact_area * dy
+                record[row, 5] = inlet
+                record[row, 6] = outlet
                 if contact_area > 0.0:
                     for i in range(C1, C1 + NB):
                         if buf[PC + i] > record[row, 2]:
@@ -167,5 +189,5 @@ def step_kernel(nx: int, ny: int, rotation: bool):
                 buf[VB + i] = v
                 buf[WB + i] += dt * v
 
-    compile_columns(advance, "void(f8[::1], f8[::1], f8[::1], i8, f8[:, ::1])", ny)
+    compile_columns(advance, "void(f8[::1], f8[::1], f8[::1], i8, f8[:, ::1], f8[::1])", ny)
     return advance

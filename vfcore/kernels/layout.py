@@ -82,6 +82,9 @@ LINES = (
     "inverse_density",
     "width",
     "slice_contact",
+    "bernoulli",
+    "viscous_line",
+    "slice_flow",
 )
 
 # Scalars of the step, in this order in the parameter array.
@@ -106,4 +109,7 @@ SCALARS = (
 )
 
 # Columns of the record: one row per recorded step.
-RECORD = ("glottal_area_m2", "glottal_flow_m3_s", "contact_pressure_max_pa", "contact_column", "contact_area_m2")
+RECORD = (
+    "glottal_area_m2", "glottal_flow_m3_s", "contact_pressure_max_pa", "contact_column", "contact_area_m2",
+    "inlet_pressure_pa", "outlet_pressure_pa",
+)  # fmt: skip

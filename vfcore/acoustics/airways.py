@@ -1,0 +1,57 @@
+"""Both airways beside the glottis, cut so that a whole number of sections passes in a step of the fold."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from vfcore.acoustics.area_functions import SECTION_LENGTH_M, SECTION_LIMITS_M
+from vfcore.acoustics.subglottal import subglottal_tract
+from vfcore.acoustics.tract import Tract, vowel_tract
+from vfcore.errors import ParameterError
+from vfcore.kernels import airways as kernel
+
+
+@dataclass(frozen=True)
+class Airways:
+    """The tracts below and above the glottis; a step of the fold is ``substeps`` sections of travel in both."""
+
+    subglottal: Tract
+    supraglottal: Tract
+    substeps: int
+
+    def new_buffer(self, pressure_pa: float) -> np.ndarray:
+        """The buffer of vfcore.kernels.airways: at rest under a transglottal pressure, glottis closed."""
+        below, above = self.subglottal, self.supraglottal
+        n_s, n_v = len(below.areas_m2), len(above.areas_m2)
+        air = np.zeros(kernel.HEADER + len(kernel.ROWS) * (n_s + n_v))
+        air[kernel.SUBSTEPS], air[kernel.SECTIONS_S], air[kernel.SECTIONS_V] = self.substeps, n_s, n_v
+        air[kernel.IMPEDANCE_S], air[kernel.IMPEDANCE_V] = below.impedance_pa_s_m3[0], above.impedance_pa_s_m3[0]
+        air[kernel.END_S : kernel.END_S + 3] = below.lip_reflection
+        air[kernel.END_V : kernel.END_V + 3] = above.lip_reflection
+        air[kernel.DROP], air[kernel.VISCOUS_SHARE] = pressure_pa, 1.0
+        start = kernel.HEADER
+        for tract, count in ((below, n_s), (above, n_v)):
+            rows = air[start : start + len(kernel.ROWS) * count].reshape(len(kernel.ROWS), count)
+            rows[kernel.ROWS.index("transmission")] = tract.transmission
+            rows[kernel.ROWS.index("reflection"), :-1] = tract.reflection
+            start += rows.size
+        return air
+
+
+@lru_cache(maxsize=64)
+def airways(vowel: str, density_kg_m3: float, sound_speed_m_s: float, time_step_s: float) -> Airways:
+    """The airways of a vowel for a step of the fold: sections of about SECTION_LENGTH_M, a whole number per step.
+
+    ParameterError for a step in which sound does not pass the shortest section.
+    """
+    travel = sound_speed_m_s * time_step_s
+    substeps = max(1, round(travel / SECTION_LENGTH_M))
+    section = travel / substeps
+    if section < SECTION_LIMITS_M[0]:
+        raise ParameterError(
+            "run.time_step_s", f"{time_step_s:.3g} s is too short for two-way coupling",
+            f"{SECTION_LIMITS_M[0] / sound_speed_m_s:.3g} s or longer; or model.coupling one_way",
+        )  # fmt: skip
+    air = (density_kg_m3, sound_speed_m_s)
+    return Airways(subglottal_tract(section, *air), vowel_tract(vowel, *air, section), substeps)

@@ -1,0 +1,117 @@
+"""The two airways and the glottis between them: the flow of two-way source–tract coupling.
+
+Both airways are tubes as in tract.py, each seen from the glottis: the trachea (subscript s) ends at the lungs, the
+vocal tract (subscript v) at the lips. Waves below the glottis are the deviation from the lung pressure P_s, so a
+closed glottis at rest carries exactly P_s. With B_s, B_v the waves that have just arrived at the glottis,
+Z_s, Z_v = ρc/A the impedances of the two tubes beside it, and Q the flow towards the mouth:
+
+    f_s = B_s − Z_s Q,   p_s = P_s + B_s + f_s = P_s + 2 B_s − Z_s Q          pressure at the inlet, y = b
+    f_v = B_v + Z_v Q,   p_v =       B_v + f_v =       2 B_v + Z_v Q          pressure at the outlet, y = 0
+    Δp = p_s − p_v = D − Z Q,    D = P_s + 2 B_s − 2 B_v,    Z = Z_s + Z_v    transglottal pressure
+
+(Titze 2008, with the paper's viscous Bernoulli law in place of his coefficient.) Each slice obeys A q² + B q = Δp
+(flow.py), so Q(Δp) = Σ q_i dx_i is increasing and concave, and the equation has one root. Q is computed at
+Δp_0, the drop of the step before, with its slope, and replaced by the law of one slice that has that value and slope:
+
+    Q_0 = Σ q_i dx_i,   S_0 = dQ/dΔp = Σ dx_i/√(B_i² + 4 A_i Δp_0)
+    y = Q_0/√Δp_0  (conductance),   φ = 2 − Q_0/(S_0 Δp_0)  (share of the drop that is viscous, in [0, 1])
+    (1 − φ) Q²/y² + φ √Δp_0 Q/y = Δp
+
+exact for equal slices and at Δp_0. Together with Δp = D − Z Q a quadratic for Q; for Δp < 0 the law is odd, a
+flow backwards through the same opening (no separate separation law). A step of the fold holds m steps of the
+airways, τ each; y and φ go in a straight line from the step before to this one, so the flow is second order in time.
+Passive: the tubes lose energy, and the glottis takes Q Δp ≥ 0.
+
+Not modelled: inertia of the air between the folds, the volume they displace, recovery of pressure behind the jet.
+Not validated against measured pressures.
+"""
+
+import math
+
+from vfcore.kernels.jit import jit
+
+# Header of the airways' buffer: numbers that are fixed, then those that move. Sections and waves follow it.
+(
+    SUBSTEPS, SECTIONS_S, SECTIONS_V, IMPEDANCE_S, IMPEDANCE_V, END_S, END_V,
+) = 0, 1, 2, 3, 4, 5, 8  # fmt: skip
+MEMORY_S, MEMORY_V, DROP, CONDUCTANCE, VISCOUS_SHARE, FLOW, INLET, OUTLET = 11, 12, 13, 14, 15, 16, 17, 18
+HEADER = 24
+#: Arrays of each airway, one value per section: waves arrived at the far end and at the glottal end (Pa, deviations),
+#: room for the next ones, what a crossing leaves of a wave, reflection at the junction behind the section.
+ROWS = ("away", "back", "next_away", "next_back", "transmission", "reflection")
+# The law is linearised at no less than this drop, so that its viscous share stays a number.
+SMALLEST_DROP_PA = 1.0
+
+
+@jit
+def viscous_share(flow, slope, drop):
+    """φ of the law through (``drop``, ``flow``) with the slope dQ/dΔp; 1 for a closed glottis."""
+    return min(max(2.0 - flow / (slope * drop), 0.0), 1.0) if flow > 0.0 else 1.0
+
+
+@jit
+def glottal_flow(D, Z, conductance, viscous, root_drop):
+    """Q, m³/s, that satisfies the glottis' law and Δp = D − Z Q; ``root_drop`` is √Δp_0."""
+    y2 = conductance * conductance
+    B = viscous * root_drop * conductance + Z * y2
+    return 2.0 * D * y2 / (B + math.sqrt(B * B + 4.0 * (1.0 - viscous) * abs(D) * y2) + 1e-300)
+
+
+@jit
+def wave_step(away, back, next_away, next_back, transmission, reflection, entering, end, memory):
+    """One step of one airway: all waves cross a section and scatter. Returns the end's stored number.
+
+    ``entering``: the wave that leaves the glottis, Pa. ``end``: β_0, β_1, a_1 of the reflection at the far end.
+    """
+    last = away.size - 1
+    for i in range(last):
+        scattered = reflection[i] * (away[i] - back[i + 1])
+        next_away[i + 1] = transmission[i + 1] * (away[i] + scattered)
+        next_back[i] = transmission[i] * (back[i + 1] + scattered)
+    next_away[0] = transmission[0] * entering
+    reflected = end[0] * away[last] + memory
+    next_back[last] = transmission[last] * reflected
+    return end[1] * away[last] - end[2] * reflected
+
+
+@jit
+def advance_airways(air, P_s, conductance, viscous):
+    """Advance both airways to the end of a step of the fold, where the glottis has the given law.
+
+    ``air``: buffer of vfcore.acoustics.airways. Leaves FLOW, INLET, OUTLET, DROP of the last airway step in it.
+    """
+    m, n_s, n_v = int(air[SUBSTEPS]), int(air[SECTIONS_S]), int(air[SECTIONS_V])
+    Z_s, Z_v = air[IMPEDANCE_S], air[IMPEDANCE_V]
+    end_s, end_v = air[END_S : END_S + 3], air[END_V : END_V + 3]
+    start_v = HEADER + 6 * n_s
+    away_s, back_s = air[HEADER : HEADER + n_s], air[HEADER + n_s : HEADER + 2 * n_s]
+    next_away_s, next_back_s = air[HEADER + 2 * n_s : HEADER + 3 * n_s], air[HEADER + 3 * n_s : HEADER + 4 * n_s]
+    alpha_s, r_s = air[HEADER + 4 * n_s : HEADER + 5 * n_s], air[HEADER + 5 * n_s : start_v]
+    away_v, back_v = air[start_v : start_v + n_v], air[start_v + n_v : start_v + 2 * n_v]
+    next_away_v, next_back_v = air[start_v + 2 * n_v : start_v + 3 * n_v], air[start_v + 3 * n_v : start_v + 4 * n_v]
+    alpha_v, r_v = air[start_v + 4 * n_v : start_v + 5 * n_v], air[start_v + 5 * n_v : start_v + 6 * n_v]
+    dy, dphi = (conductance - air[CONDUCTANCE]) / m, (viscous - air[VISCOUS_SHARE]) / m
+    root_drop = math.sqrt(max(abs(air[DROP]), SMALLEST_DROP_PA))
+    flow, arrived_s, arrived_v = 0.0, 0.0, 0.0
+    for k in range(m):
+        y = max(conductance - (m - 1 - k) * dy, 0.0)  # the last is exact: 0 for a closed glottis
+        phi = viscous - (m - 1 - k) * dphi
+        arrived_s, arrived_v = back_s[0], back_v[0]
+        flow = glottal_flow(P_s + 2.0 * (arrived_s - arrived_v), Z_s + Z_v, y, phi, root_drop)
+        air[MEMORY_S] = wave_step(
+            away_s, back_s, next_away_s, next_back_s, alpha_s, r_s, arrived_s - Z_s * flow, end_s, air[MEMORY_S]
+        )
+        air[MEMORY_V] = wave_step(
+            away_v, back_v, next_away_v, next_back_v, alpha_v, r_v, arrived_v + Z_v * flow, end_v, air[MEMORY_V]
+        )
+        away_s, next_away_s = next_away_s, away_s
+        back_s, next_back_s = next_back_s, back_s
+        away_v, next_away_v = next_away_v, away_v
+        back_v, next_back_v = next_back_v, back_v
+    if m % 2 == 1:  # the newest waves stand in the room for the next ones
+        next_away_s[:], next_back_s[:] = away_s, back_s
+        next_away_v[:], next_back_v[:] = away_v, back_v
+    air[CONDUCTANCE], air[VISCOUS_SHARE], air[FLOW] = conductance, viscous, flow
+    air[INLET] = P_s + 2.0 * arrived_s - Z_s * flow
+    air[OUTLET] = 2.0 * arrived_v + Z_v * flow
+    air[DROP] = air[INLET] - air[OUTLET]
