@@ -25,7 +25,7 @@ LONGEST = 250
 #: What line 1 of a longer file says: that it is long, and why.
 REASON = re.compile(r"longer than|over 250 lines", re.IGNORECASE)
 
-BASE = {"errors", "fields", "constants", "params", "posture.tables"}
+BASE = {"errors", "fields", "constants", "params", "posture.tables", "variants"}
 #: For each room of vfcore, the rooms and modules it may import besides itself.
 MAY_IMPORT = {
     "kernels": set(),
@@ -36,13 +36,14 @@ MAY_IMPORT = {
     "errors": set(),
     "fields": {"errors"},
     "constants": {"errors", "fields"},
-    "params": {"errors", "fields", "constants", "posture.tables"},
+    "params": {"errors", "fields", "constants", "posture.tables", "variants"},
+    "variants": {"constants"},
     "version": set(),
     "closure": set(),
     "assemble": BASE | {"tissue", "kernels"},
     "stability": BASE | {"assemble"},
     "statics": BASE | {"assemble", "closure"},
-    "march": BASE | {"assemble", "statics", "kernels"},
+    "march": BASE | {"acoustics", "assemble", "statics", "kernels"},
 }
 #: For each folder of the page, the folders it must not see.
 PAGE_MUST_NOT_SEE = {

@@ -115,14 +115,16 @@ def simulate(
 
 
 def _tract(request: Simulation) -> Tract:
-    return vowel_tract(request.vowel, request.constants.rho_a_kg_m3, request.constants.c_a_m_s)
+    air, scale = request.constants, request.model.resolved().airway_scale
+    return vowel_tract(request.vowel, air.rho_a_kg_m3, air.c_a_m_s, scale=scale)
 
 
 def _airways(request: Simulation, step_s: float) -> Airways | None:
     """What acts back on the folds: both tracts with two-way coupling, nothing with one-way."""
     if request.model.coupling == "one_way":
         return None
-    return airways(request.vowel, request.constants.rho_a_kg_m3, request.constants.c_a_m_s, step_s)
+    air, scale = request.constants, request.model.resolved().airway_scale
+    return airways(request.vowel, air.rho_a_kg_m3, air.c_a_m_s, step_s, scale)
 
 
 def _waveforms(record: np.ndarray, sample_s: float, nx: int, tract: Tract) -> dict[str, np.ndarray]:

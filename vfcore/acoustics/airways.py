@@ -1,4 +1,8 @@
-"""Both airways beside the glottis, cut so that a whole number of sections passes in a step of the fold."""
+"""Both airways beside the glottis, cut so that a whole number of sections passes in a step of the fold.
+
+What a steady flow meets is set apart from the losses of sound (vfcore.kernels.airways): nothing above the glottis,
+where the viscous resistance of an open vowel is a few Pa per L/s, and LUNG_RESISTANCE below it.
+"""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -6,10 +10,16 @@ from functools import lru_cache
 import numpy as np
 
 from vfcore.acoustics.area_functions import SECTION_LENGTH_M, SECTION_LIMITS_M
+from vfcore.acoustics.resonances import input_impedance
 from vfcore.acoustics.subglottal import subglottal_tract
 from vfcore.acoustics.tract import Tract, vowel_tract
 from vfcore.errors import ParameterError
 from vfcore.kernels import airways as kernel
+
+#: Flow resistance of trachea and bronchi of adults, about half of an airway resistance of 2 cmH₂O per L/s; approximate.
+LUNG_RESISTANCE_PA_S_M3 = 1e5
+#: Below this frequency a flow counts as steady: far below any f_o.
+STEADY_BELOW_HZ = 10.0
 
 
 @dataclass(frozen=True)
@@ -20,6 +30,12 @@ class Airways:
     supraglottal: Tract
     substeps: int
 
+    @property
+    def excess_resistance(self) -> tuple[float, float]:
+        """What the losses of sound would be to a steady flow beyond its true resistance, below and above; Pa·s/m³."""
+        below, above = (float(input_impedance(tract, 0.0).real) for tract in (self.subglottal, self.supraglottal))
+        return below - LUNG_RESISTANCE_PA_S_M3, above
+
     def new_buffer(self, pressure_pa: float) -> np.ndarray:
         """The buffer of vfcore.kernels.airways: at rest under a transglottal pressure, glottis closed."""
         below, above = self.subglottal, self.supraglottal
@@ -29,6 +45,8 @@ class Airways:
         air[kernel.IMPEDANCE_S], air[kernel.IMPEDANCE_V] = below.impedance_pa_s_m3[0], above.impedance_pa_s_m3[0]
         air[kernel.END_S : kernel.END_S + 3] = below.lip_reflection
         air[kernel.END_V : kernel.END_V + 3] = above.lip_reflection
+        air[kernel.EXCESS_S], air[kernel.EXCESS_V] = self.excess_resistance
+        air[kernel.SLOW_SHARE] = 2 * np.pi * STEADY_BELOW_HZ * below.section_travel_s
         air[kernel.DROP], air[kernel.VISCOUS_SHARE] = pressure_pa, 1.0
         start = kernel.HEADER
         for tract, count in ((below, n_s), (above, n_v)):
@@ -40,7 +58,9 @@ class Airways:
 
 
 @lru_cache(maxsize=64)
-def airways(vowel: str, density_kg_m3: float, sound_speed_m_s: float, time_step_s: float) -> Airways:
+def airways(
+    vowel: str, density_kg_m3: float, sound_speed_m_s: float, time_step_s: float, scale: float = 1.0
+) -> Airways:  # fmt: skip
     """The airways of a vowel for a step of the fold: sections of about SECTION_LENGTH_M, a whole number per step.
 
     ParameterError for a step in which sound does not pass the shortest section.
@@ -54,4 +74,4 @@ def airways(vowel: str, density_kg_m3: float, sound_speed_m_s: float, time_step_
             f"{SECTION_LIMITS_M[0] / sound_speed_m_s:.3g} s or longer; or model.coupling one_way",
         )  # fmt: skip
     air = (density_kg_m3, sound_speed_m_s)
-    return Airways(subglottal_tract(section, *air), vowel_tract(vowel, *air, section), substeps)
+    return Airways(subglottal_tract(section, *air, scale), vowel_tract(vowel, *air, section, scale), substeps)

@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfcore.acoustics.area_functions import SECTION_LENGTH_M, SECTION_LIMITS_M, area_function, resampled
+from vfcore.acoustics.area_functions import SECTION_LENGTH_M, SECTION_LIMITS_M, area_function, resampled, scaled
 from vfcore.constants import FoldConstants
 from vfcore.errors import ParameterError
 from vfcore.fields import check_number
@@ -116,10 +116,13 @@ class Tract:
 @lru_cache(maxsize=64)
 def vowel_tract(
     vowel: str, density_kg_m3: float = _AIR.rho_a_kg_m3, sound_speed_m_s: float = _AIR.c_a_m_s,
-    section_length_m: float = SECTION_LENGTH_M,
+    section_length_m: float = SECTION_LENGTH_M, scale: float = 1.0,
 ) -> Tract:  # fmt: skip
-    """The tract of one of ``vfcore.params.VOWELS`` in equal sections, with piston radiation."""
-    function = resampled(area_function(vowel), section_length_m)
+    """The tract of one of ``vfcore.params.VOWELS`` in equal sections, with piston radiation.
+
+    ``scale``: all lengths and diameters over the published ones.
+    """
+    function = resampled(scaled(area_function(vowel), scale), section_length_m)
     return Tract(function.areas_m2, function.section_length_m, density_kg_m3, sound_speed_m_s)
 
 

@@ -22,6 +22,10 @@ flow backwards through the same opening (no separate separation law). A step of 
 airways, τ each; y and φ go in a straight line from the step before to this one, so the flow is second order in time.
 Passive: the tubes lose energy, and the glottis takes Q Δp ≥ 0.
 
+The loss of a crossing does not depend on frequency. That suits formants, but at 0 Hz it is a flow resistance R_0 of
+some 0.5 kPa per L/s in each airway, far above the true one R (vfcore.acoustics.airways). So the excess R_e = R_0 − R
+acts on all but the slow part of the flow:  p_s + R_e,s Q̂,  p_v − R_e,v Q̂,  T dQ̂/dt = Q − Q̂.
+
 Not modelled: inertia of the air between the folds, the volume they displace, recovery of pressure behind the jet.
 Not validated against measured pressures.
 """
@@ -35,6 +39,7 @@ from vfcore.kernels.jit import jit
     SUBSTEPS, SECTIONS_S, SECTIONS_V, IMPEDANCE_S, IMPEDANCE_V, END_S, END_V,
 ) = 0, 1, 2, 3, 4, 5, 8  # fmt: skip
 MEMORY_S, MEMORY_V, DROP, CONDUCTANCE, VISCOUS_SHARE, FLOW, INLET, OUTLET = 11, 12, 13, 14, 15, 16, 17, 18
+EXCESS_S, EXCESS_V, SLOW_SHARE, SLOW_FLOW = 19, 20, 21, 22
 HEADER = 24
 #: Arrays of each airway, one value per section: waves arrived at the far end and at the glottal end (Pa, deviations),
 #: room for the next ones, what a crossing leaves of a wave, reflection at the junction behind the section.
@@ -92,12 +97,16 @@ def advance_airways(air, P_s, conductance, viscous):
     alpha_v, r_v = air[start_v + 4 * n_v : start_v + 5 * n_v], air[start_v + 5 * n_v : start_v + 6 * n_v]
     dy, dphi = (conductance - air[CONDUCTANCE]) / m, (viscous - air[VISCOUS_SHARE]) / m
     root_drop = math.sqrt(max(abs(air[DROP]), SMALLEST_DROP_PA))
-    flow, arrived_s, arrived_v = 0.0, 0.0, 0.0
+    excess_s, excess_v, slow = air[EXCESS_S], air[EXCESS_V], air[SLOW_FLOW]
+    flow, base_s, base_v = 0.0, 0.0, 0.0
     for k in range(m):
         y = max(conductance - (m - 1 - k) * dy, 0.0)  # the last is exact: 0 for a closed glottis
         phi = viscous - (m - 1 - k) * dphi
         arrived_s, arrived_v = back_s[0], back_v[0]
-        flow = glottal_flow(P_s + 2.0 * (arrived_s - arrived_v), Z_s + Z_v, y, phi, root_drop)
+        base_s = P_s + 2.0 * arrived_s + excess_s * slow
+        base_v = 2.0 * arrived_v - excess_v * slow
+        flow = glottal_flow(base_s - base_v, Z_s + Z_v, y, phi, root_drop)
+        slow += air[SLOW_SHARE] * (flow - slow)
         air[MEMORY_S] = wave_step(
             away_s, back_s, next_away_s, next_back_s, alpha_s, r_s, arrived_s - Z_s * flow, end_s, air[MEMORY_S]
         )
@@ -112,6 +121,6 @@ def advance_airways(air, P_s, conductance, viscous):
         next_away_s[:], next_back_s[:] = away_s, back_s
         next_away_v[:], next_back_v[:] = away_v, back_v
     air[CONDUCTANCE], air[VISCOUS_SHARE], air[FLOW] = conductance, viscous, flow
-    air[INLET] = P_s + 2.0 * arrived_s - Z_s * flow
-    air[OUTLET] = 2.0 * arrived_v + Z_v * flow
+    air[SLOW_FLOW] = slow
+    air[INLET], air[OUTLET] = base_s - Z_s * flow, base_v + Z_v * flow
     air[DROP] = air[INLET] - air[OUTLET]
