@@ -50,9 +50,9 @@ class ModelVariant:
 _HUMAN = (
     Change(
         "C_coup_pa_s_m", 900.0,
-        "Damping ratio of the lowest mode of the mucosa in vacuo: 0.4, the paper's 10 Pa·s/m give 0.007. Ratios of "
-        "0.1 to 0.4 are used after measurements on folds and larynges (Titze & Story 2002; 0.1 and 0.6 in Ishizaka & "
-        "Flanagan 1972).",
+        "Damping ratio of the lowest mode of the mucosa in vacuo, at the modal posture: 0.29; the paper's 10 Pa·s/m "
+        "give 0.01. Ratios of 0.1 to 0.4 are used after measurements on folds and larynges (Ishizaka & Flanagan 1972; "
+        "Titze & Story 2002).",
     ),
     Change(
         "A_muc_0_m2", 9e-6,
@@ -60,9 +60,14 @@ _HUMAN = (
         "man's fold use a cover of 2 mm (Titze & Story 2002).",
     ),
     Change(
-        "K_col_pa_m", 1.5e6,
-        "Stiffer contact: at 600 Pa the folds overlap by 0.4 mm instead of some 1 mm. Not measured directly; set by "
-        "contact pressure and f_o.",
+        "K_coup_min_pa_m", 7e4,
+        "1.4 times the paper's: keeps f_o of the heavier mucosa, and the small opening. Not measured directly.",
+    ),
+    Change("K_coup_max_pa_m", 7e5, "1.4 times the paper's, as the soft edge."),
+    Change(
+        "K_col_pa_m", 1.8e6,
+        "Stiffer contact, so that the folds pass through each other less. Not measured directly; held by the norms "
+        "of contact pressure and f_o.",
     ),
 )  # fmt: skip
 LENGTH_RATIO, SIZE_RATIO, AIRWAY_RATIO = 1.6, 1.2, 1.2  # men over women, Titze (1989b); airways: Fitch & Giedd (1999)
@@ -92,7 +97,7 @@ VARIANTS = {
     ),
     "human": ModelVariant(
         "serry2026", "inferior_stiff", "kelvin_voigt",
-        "Adult man: the paper's equations, three constants set so that flow, area and level are of human size. "
+        "Adult man: the paper's equations, five constants set so that flow, area and level are of human size. "
         "Meant with coupling two_way.",
         _HUMAN, "two_way",
     ),
