@@ -49,6 +49,10 @@ class March:
         self._advance = step_kernel(fold.nx, fold.ny, fold.rotation, self.coupled)
         self._checkpoints: deque[tuple[int, np.ndarray, np.ndarray]] = deque(maxlen=CHECKPOINTS)
 
+    def _air(self, air: np.ndarray) -> tuple[np.ndarray, ...]:
+        """The airways' buffer as the last argument of the loop, where it takes one."""
+        return (air,) if self.coupled else ()
+
     def start_flat(self) -> None:
         """w = 1 nm · sin(πx/L) sin(πy/b), everything else at rest."""
         fold = self.fold
@@ -94,7 +98,7 @@ class March:
         before, air = self.buffer.copy(), self.air.copy()
         self._checkpoints.append((self.steps, before, air))
         steps = np.arange(self.steps, self.steps + len(record) * self.record_every)
-        self._advance(self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record, self.air)
+        self._advance(self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record, *self._air(self.air))
         self.steps += len(steps)
         w = self._w
         if not (w.max() < LARGEST_DISPLACEMENT_M and w.min() > -LARGEST_DISPLACEMENT_M):  # false for NaN
@@ -103,7 +107,7 @@ class March:
     def _locate_divergence(self, buffer: np.ndarray, air: np.ndarray, steps: np.ndarray) -> None:
         scratch = np.empty((1, len(RECORD)))
         for step in steps:
-            self._advance(buffer, self.scalars, self.pressure_at(np.array([step])), 1, scratch, air)
+            self._advance(buffer, self.scalars, self.pressure_at(np.array([step])), 1, scratch, *self._air(air))
             w = np.abs(assemble.membrane(buffer, self.fold))
             bad = ~(w < LARGEST_DISPLACEMENT_M)
             if bad.any():
@@ -137,7 +141,7 @@ class March:
         for phase, step in enumerate(wanted):
             if step > at:
                 steps = np.arange(at, step)
-                self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch, air)
+                self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch, *self._air(air))
                 at = step
             w_m[phase], w_b[phase] = w, beam
             velocity = v + 0.5 * dv  # as the step extrapolates it
@@ -160,7 +164,7 @@ class March:
         if not self.coupled:
             return float(P_s[0]), 0.0
         record = np.empty((1, len(RECORD)))
-        self._advance(buffer.copy(), self.scalars, P_s, 1, record, air.copy())
+        self._advance(buffer.copy(), self.scalars, P_s, 1, record, *self._air(air.copy()))
         return record[0, RECORD.index("inlet_pressure_pa")], record[0, RECORD.index("outlet_pressure_pa")]
 
     @property

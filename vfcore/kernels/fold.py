@@ -21,6 +21,8 @@ of the compiled loop.
 import math
 from functools import lru_cache
 
+import numpy as np
+
 from vfcore.kernels import airways, contact, flow, membrane
 from vfcore.kernels.jit import compile_columns, jit
 from vfcore.kernels.layout import FIRST, Layout
@@ -35,10 +37,14 @@ DROP, FLOW, INLET, OUTLET, SMALLEST_DROP_PA = (
     airways.DROP, airways.FLOW, airways.INLET, airways.OUTLET, airways.SMALLEST_DROP_PA,
 )  # fmt: skip
 
+NO_AIRWAYS = np.zeros(0)
+
 
 @lru_cache(maxsize=32)
 def step_kernel(nx: int, ny: int, rotation: bool, coupled: bool = False):
-    """The compiled loop for one grid: ``advance(buf, par, P_s, record_every, record, air) -> None``.
+    """The compiled loop for one grid: ``advance(buf, par, P_s, record_every, record) -> None``.
+
+    ``coupled``: the airways act back, and ``advance`` takes their buffer ``air`` (kernels/airways.py) as well.
 
     ``buf``: Layout(nx, ny).size float64. ``par``: layout.SCALARS. ``P_s``: lung pressure at
     each of the steps, Pa. ``record``: (len(P_s)//record_every, 5), layout.RECORD at the state
@@ -190,4 +196,6 @@ def step_kernel(nx: int, ny: int, rotation: bool, coupled: bool = False):
                 buf[WB + i] += dt * v
 
     compile_columns(advance, "void(f8[::1], f8[::1], f8[::1], i8, f8[:, ::1], f8[::1])", ny)
-    return advance
+    if coupled:
+        return advance
+    return lambda buf, par, P_s_of, record_every, record: advance(buf, par, P_s_of, record_every, record, NO_AIRWAYS)
