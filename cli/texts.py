@@ -11,6 +11,7 @@ COMMANDS = {
     "simulate": "Let them vibrate: measures, waveforms, sound.",
     "serve": "The dashboard and the HTTP API on this machine.",
     "paper": "What the paper claims, each claim tested and scored.",
+    "norms": "The voice against published norms of men.",
     "bench": "How fast it all runs on this machine.",
 }
 
@@ -31,6 +32,7 @@ EPILOG = """
 - `vocalis static --ta 0.6` — where they touch before any air flows
 - `vocalis simulate --preset breathy --wav breathy.wav` — hear it
 - `vocalis simulate --pressure 800 --vowel i --json > result.json` — every measure, for a script
+- `vocalis simulate --variant human --coupling two_way --pressure 600` — a voice of human size
 - `vocalis simulate --set constants.K_col_pa_m=2e6` — any constant of the model
 
 Exit codes: 0 done, 1 the model has no answer there, 2 the input cannot be used.

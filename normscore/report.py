@@ -44,11 +44,25 @@ def summary(document: Mapping[str, Any]) -> list[str]:
     ]
 
 
-def markdown(document: Mapping[str, Any]) -> str:
-    """The table for docs/model.md."""
-    header, lines = rows(document)
+def markdown(header: tuple[str, ...], lines: list[tuple[str, ...]]) -> str:
+    """A table for docs/model.md."""
     table = [header, ("---",) * len(header), *lines]
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in table)
+
+
+def calibration_rows(document: Mapping[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """The best candidates of the calibration study: factors, norms in range, and which are missed."""
+    names = [factor["name"] for factor in document["factors"]]
+    lines = []
+    for candidate in document["best"]:
+        missed = [
+            f"{NORMS[key].symbol} {shown(NORMS[key], value)}"
+            for key, value in candidate["norms"].items()
+            if value is None or not NORMS[key].low <= value <= NORMS[key].high
+        ]
+        values = (f"{candidate['values'][name]:.3g}" for name in names)
+        lines.append((str(candidate["in_range"]), *values, ", ".join(missed)))
+    return ("in range", *names, "missed"), lines
 
 
 _STYLE = """
@@ -67,7 +81,8 @@ def html(document: Mapping[str, Any]) -> str:
     made = document["provenance"]
     return (
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>Vocalis: norms</title><style>{_STYLE}</style>'
-        f"<h1>The voice against norms of men</h1>{told}<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+        f"<h1>The voice against norms of men</h1>{told}<table><thead><tr>{head}</tr></thead>"
+        f"<tbody>{body}</tbody></table>"
         f"<p>Model {escape(made['model_version'])}, {escape(made['created'])}.</p></html>\n"
     )
 

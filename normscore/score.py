@@ -78,7 +78,7 @@ def judged(runs: Mapping[str, Voice]) -> dict[str, Any]:
     """Every norm with its number, and how many of the fifteen are in range."""
     rows = {}
     for key, norm in NORMS.items():
-        value = norm.read(runs)
+        value = float(norm.read(runs))
         verdict, beyond = judge(norm, value)
         rows[key] = {"value": round(value, 6) if isfinite(value) else None, "verdict": str(verdict), "beyond": beyond}
     in_range = sum(rows[key]["verdict"] == PASS for key in FIFTEEN)

@@ -20,6 +20,8 @@ from vocalis_paper.registry import CLAIMS
 from vocalis_paper.run import Gathered, gather, warm_up
 from vocalis_paper.run_score import cases_for, definitions_hash, judge, score
 
+#: The two readings of the paper, scored unless a variant is named: its numbers, and its text to the letter.
+READINGS = ("paper", "text_literal")
 #: Six figures, well beyond what any verdict hangs on, keep the stored document small.
 FIGURES = 6
 

@@ -98,7 +98,9 @@ class March:
         before, air = self.buffer.copy(), self.air.copy()
         self._checkpoints.append((self.steps, before, air))
         steps = np.arange(self.steps, self.steps + len(record) * self.record_every)
-        self._advance(self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record, *self._air(self.air))
+        self._advance(
+            self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record, *self._air(self.air)
+        )
         self.steps += len(steps)
         w = self._w
         if not (w.max() < LARGEST_DISPLACEMENT_M and w.min() > -LARGEST_DISPLACEMENT_M):  # false for NaN

@@ -1,7 +1,7 @@
 /** Name, voice, model, and the few things about the page itself. */
 import { html, useComputed } from "../ui.js";
 import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
-import { choosePreset, preset, schema, setValue, values } from "../state/request.js";
+import { choosePreset, preset, schema, chooseVariant, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
 import { APP, TOP, VARIANT_NAMES } from "../texts.js";
 import { Icon } from "./Icon.js";
@@ -41,7 +41,7 @@ export function Variants() {
   return html`
     <label class="pick variant">
       <span>${TOP.variant}</span>
-      <select value=${chosen} onChange=${(event) => setValue("model.variant", event.target.value)}>
+      <select value=${chosen} onChange=${(event) => chooseVariant(event.target.value)}>
         ${schema.value.variants.map(({ key, help }) => html`<option value=${key} title=${help}>${VARIANT_NAMES[key] ?? key}</option>`)}
       </select>
     </label>

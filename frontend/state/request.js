@@ -50,6 +50,12 @@ export function choosePreset(key) {
   change(presetValues(_schema.value, chosen, _values.value), `preset ${key}`);
 }
 
+/** A variant comes with the source–tract coupling it is meant with; the coupling can be changed afterwards. */
+export function chooseVariant(key) {
+  const { meant_with: coupling } = _schema.value.variants.find((row) => row.key === key);
+  change({ ..._values.value, "model.variant": key, "model.coupling": coupling }, "model.variant");
+}
+
 export function setTied(on) {
   _tied.value = on;
 }
