@@ -40,10 +40,11 @@ _EQUATIONS = _options(
 )
 _GRID = _options(RUN, nx="run.nx", ny="run.ny")
 _RUN = _options(RUN, duration="run.duration_s", time_step="run.time_step_s", start="run.start")
+_ESTIMATE = _options(RUN, error_estimate="run.error_estimate")
 
 POSTURE_OPTIONS = (*_MUSCLES, *_SETS)
 SHAPE_OPTIONS = (*_MUSCLES, *_SETS, *_EQUATIONS, *_GRID)
-SIMULATE_OPTIONS = (*_MUSCLES, *_BREATH, *_SETS, *_COUPLING, *_EQUATIONS, *_RUN, *_GRID)
+SIMULATE_OPTIONS = (*_MUSCLES, *_BREATH, *_SETS, *_COUPLING, *_EQUATIONS, *_RUN, *_GRID, *_ESTIMATE)
 
 _ROWS = {row["key"]: row for row in parameter_schema()}
 _PRESET_NAMES = ", ".join(preset.key for preset in PRESETS)
@@ -78,10 +79,10 @@ def takes_request(options: tuple[RequestOption, ...]) -> Callable:
 
 
 def _simulation(
-    preset: str | None, path: str | None, settings: list[str] | None, given: Mapping[str, str | None]
+    preset: str | None, path: str | None, settings: list[str] | None, given: Mapping[str, str | bool | None]
 ) -> Simulation:
     changes = {
-        key: text if _ROWS[key]["type"] == "choice" else number_or_text(text)
+        key: text if _ROWS[key]["type"] in ("choice", "boolean") else number_or_text(text)
         for key, text in given.items()
         if text is not None
     }
@@ -105,24 +106,25 @@ def _parameter(name: str, annotation) -> inspect.Parameter:
 def _option_parameters(options: tuple[RequestOption, ...]):
     for option in options:
         row = _ROWS[option.key]
+        is_flag = row["type"] == "boolean"
         information = typer.Option(
-            option.flag,
-            metavar="NAME" if row["type"] == "choice" else "NUMBER",
+            f"{option.flag}/--no-{option.flag[2:]}" if is_flag else option.flag,
+            metavar=None if is_flag else "NAME" if row["type"] == "choice" else "NUMBER",
             help=_help(row),
             show_default=False,
             rich_help_panel=option.panel,
         )
-        yield _parameter(option.name, Annotated[str | None, information])
+        yield _parameter(option.name, Annotated[(bool if is_flag else str) | None, information])
 
 
 def _help(row: Mapping[str, Any]) -> str:
     parts = [row["label"] + (f": {row['help']}" if row["help"] else "")]
     if row["type"] == "choice":
         parts.append(", ".join(row["options"]))
-    else:
+    elif row["type"] != "boolean":
         unit = "" if row["unit"] == "1" else f" {row['unit']}"
         parts.append(f"{row['min']:g} to {row['max']:g}{unit}")
-    if row["default"] is not None:
+    if row["default"] is not None and row["type"] != "boolean":
         parts.append(f"default {row['default']}")
     return "; ".join(parts)
 

@@ -34,6 +34,8 @@ def _field(row: dict[str, Any]) -> tuple[Any, Any]:
     about: list[Any] = [Field(title=row["label"], description=text, json_schema_extra=extra)]
     if row["type"] == "choice":
         kind = Literal[tuple(row["options"])]
+    elif row["type"] == "boolean":
+        kind = bool
     else:
         kind = int if row["type"] == "integer" else float
         about.append(Field(ge=row["min"], le=row["max"], **({"allow_inf_nan": False} if kind is float else {})))
@@ -105,6 +107,8 @@ def allowed_at(path: str) -> str | None:
         return None
     if row["options"]:
         return " | ".join(row["options"])
+    if row["type"] == "boolean":
+        return "true | false"
     unit = "" if row["unit"] == "1" else f" {row['unit']}"
     return f"{row['min']:g} to {row['max']:g}{unit}" + (", or null" if row["nullable"] else "")
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vfcore.error_estimate import METHOD
 from vfcore.measures.measure import Measure
 from vfcore.posture.solution import PostureSolution
 from vfcore.request import simulation_to_dict
@@ -71,6 +72,7 @@ def result_document(result: SimulationResult) -> dict[str, Any]:
         "cycles": report.cycles,
         "cycle_is_complete": result.cycle_is_complete,
         "measures": {key: _measure(measure) for key, measure in report.measures.items()},
+        "error_estimate": _error_estimate(result),
         "posture": _posture(result.posture),
         "coefficients": _coefficients(result.coefficients),
         "static_shape": _static_shape(result.static),
@@ -122,6 +124,21 @@ def _measure(measure: Measure) -> dict[str, Any]:
     if measure.value is None or math.isfinite(measure.value):
         return dataclasses.asdict(measure)
     return {"value": None, "unit": measure.unit, "reason": measure.reason or _NOT_FINITE}
+
+
+def _error_estimate(result: SimulationResult) -> dict[str, Any] | None:
+    """Method, the runs compared, and per measure its bar in the measure's unit; None where none was asked for."""
+    estimate = result.error_estimate
+    if estimate is None:
+        return None
+    return {
+        "method": METHOD,
+        "levels": [level._asdict() for level in estimate.levels],
+        "measures": {
+            key: dataclasses.asdict(bar) | {"unit": result.report.measures[key].unit}
+            for key, bar in estimate.bars.items()
+        },
+    }
 
 
 def _without_gaps(document: dict[str, Any]) -> dict[str, Any]:

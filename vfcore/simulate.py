@@ -1,17 +1,20 @@
 """The main job: muscles in; posture, vibration, pressures, measures and sound out."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime
 from importlib.metadata import version
 from typing import NamedTuple
 
 import numpy as np
 
-from vfcore.acoustics.airways import Airways, airways
+from vfcore.acoustics.airways import airways_of, tract_of
 from vfcore.acoustics.impulse_response import radiate
-from vfcore.acoustics.tract import Tract, vowel_tract
+from vfcore.acoustics.tract import Tract
 from vfcore.assemble import Fold, assemble
+from vfcore.error_estimate import REFINEMENTS, Level, companion_step_s, companions, richardson, without_bars
+from vfcore.errors import DivergenceError
 from vfcore.kernels.layout import RECORD
 from vfcore.march import March, contact_location
 from vfcore.measures.catalogue import MeasureReport, measure_all
@@ -20,9 +23,9 @@ from vfcore.params import Simulation
 from vfcore.posture.equilibrium import solve_posture
 from vfcore.posture.solution import PostureSolution
 from vfcore.result import Provenance, SimulationResult
-from vfcore.stability import time_step_s
+from vfcore.stability import longest_stable_step_s, time_step_s
 from vfcore.statics import StaticShape, static_shape_of
-from vfcore.tissue.coefficients import coefficients
+from vfcore.tissue.coefficients import Coefficients, coefficients
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 PHASES = 100  # of the stored cycle
@@ -51,14 +54,15 @@ def posture_of(request: Simulation) -> PostureSolution:
     )  # fmt: skip
 
 
-def prepare(request: Simulation) -> Prepared:
+def prepare(request: Simulation, alter: Callable[[Coefficients], Coefficients] = lambda c: c) -> Prepared:
     """Posture, prestrained coefficients and static shape of a request (milliseconds).
 
+    ``alter`` may change the coefficients before the fold is made of them: for studies of what the paper leaves open.
     Raises PostureError, ParameterError or StaticShapeError.
     """
     posture = posture_of(request)
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
-    c = coefficients(posture.strain, request.activation.ta, request.constants)
+    c = alter(coefficients(posture.strain, request.activation.ta, request.constants))
     fold = assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
     return Prepared(posture, fold, static_shape_of(fold))
 
@@ -72,17 +76,25 @@ def simulate(
     request: Simulation,
     progress: Callable[[float], None] | None = None,
     stop: Callable[[], bool] | None = None,
+    prepared_by: Callable[[Simulation], Prepared] = prepare,
 ) -> SimulationResult:
-    """Run a request.
+    """Run a request; with ``run.error_estimate`` also its two finer companions (vfcore.error_estimate).
 
+    ``prepared_by`` makes the folds; other than ``prepare`` only for studies of what the paper leaves open.
     ``progress(fraction)`` is called after each chunk of about 5 ms of voice; ``stop()`` is asked before each.
     Raises ParameterError (StabilityError) for a request that cannot be run, PostureError, DivergenceError,
     Cancelled.
     """
-    ready = prepare(request)
+    if not request.run.error_estimate:
+        return _run(request, progress, stop, prepared_by(request))
+    return _run_with_companions(request, progress, stop, prepared_by)
+
+
+def _run(request: Simulation, progress, stop, ready: Prepared, step_s: float | None = None) -> SimulationResult:
+    """One run, with the time step ``step_s`` or the request's own."""
     fold, run = ready.fold, request.run
-    step_s = time_step_s(run, fold)
-    beside = _airways(request, step_s)
+    step_s = step_s or time_step_s(run, fold)
+    beside = airways_of(request, step_s)
     march = March(fold, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, beside)
     march.start_static(ready.static) if run.start == "static" else march.start_flat()
     sample_s = march.time_step_s * march.record_every
@@ -91,7 +103,7 @@ def simulate(
     record = march.run(samples, progress, stop)
     kernel_seconds = time.perf_counter() - began
 
-    arrays = _waveforms(record, sample_s, fold.nx, beside.supraglottal if beside else _tract(request))
+    arrays = _waveforms(record, sample_s, fold.nx, beside.supraglottal if beside else tract_of(request))
     report = measure_all(_signals(request, ready, arrays, sample_s))
     first, last, complete = _cycle_bounds(report, march, samples, sample_s)
     arrays |= {
@@ -114,17 +126,34 @@ def simulate(
     )
 
 
-def _tract(request: Simulation) -> Tract:
-    air, scale = request.constants, request.model.resolved().airway_scale
-    return vowel_tract(request.vowel, air.rho_a_kg_m3, air.c_a_m_s, scale=scale)
+def steps_of(request: Simulation, folds: Sequence[Fold]) -> list[float]:
+    """Time steps in force, s, of a request and of its companions, if any, on their folds."""
+    own = time_step_s(request.run, folds[0])
+    finer = zip(REFINEMENTS, folds[1:], strict=False)
+    return [own, *(companion_step_s(own, by, longest_stable_step_s(fold)) for by, fold in finer)]
 
 
-def _airways(request: Simulation, step_s: float) -> Airways | None:
-    """What acts back on the folds: both tracts with two-way coupling, nothing with one-way."""
-    if request.model.coupling == "one_way":
-        return None
-    air, scale = request.constants, request.model.resolved().airway_scale
-    return airways(request.vowel, air.rho_a_kg_m3, air.c_a_m_s, step_s, scale)
+def _run_with_companions(request: Simulation, progress, stop, prepared_by) -> SimulationResult:
+    """The run asked for and its companions, progress being shared out by their work."""
+    requests = (request, *companions(request))
+    folds = [prepared_by(one) for one in requests]
+    steps = steps_of(request, [ready.fold for ready in folds])
+    work = np.cumsum([0.0] + [one.run.nx * one.run.ny / step for one, step in zip(requests, steps, strict=True)])
+    work /= work[-1]
+    result, levels, reports = None, [], []
+    for k, (one, ready, step) in enumerate(zip(requests, folds, steps, strict=True)):
+        watched = progress and (lambda part, k=k: progress(work[k] + part * (work[k + 1] - work[k])))
+        try:
+            found = _run(one, watched, stop, ready, step)
+        except DivergenceError:
+            if result is None:
+                raise
+            reason = f"The companion on {one.run.nx} × {one.run.ny} nodes diverges."
+            return replace(result, error_estimate=without_bars(levels, reason))
+        result = result or found
+        reports.append(found.report)
+        levels.append(Level(one.run.nx, one.run.ny, step, found.report.state))
+    return replace(result, error_estimate=richardson(levels, reports))
 
 
 def _waveforms(record: np.ndarray, sample_s: float, nx: int, tract: Tract) -> dict[str, np.ndarray]:

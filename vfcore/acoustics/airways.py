@@ -15,6 +15,7 @@ from vfcore.acoustics.subglottal import subglottal_tract
 from vfcore.acoustics.tract import Tract, vowel_tract
 from vfcore.errors import ParameterError
 from vfcore.kernels import airways as kernel
+from vfcore.params import Simulation
 
 #: Flow resistance of trachea and bronchi of adults, about half of an airway resistance of 2 cmH₂O per L/s; approximate.
 LUNG_RESISTANCE_PA_S_M3 = 1e5
@@ -75,3 +76,19 @@ def airways(
         )  # fmt: skip
     air = (density_kg_m3, sound_speed_m_s)
     return Airways(subglottal_tract(section, *air, scale), vowel_tract(vowel, *air, section, scale), substeps)
+
+
+def tract_of(request: Simulation) -> Tract:
+    """The vocal tract of a request in sections of SECTION_LENGTH_M, for the sound of one-way coupling."""
+    air = request.constants
+    return vowel_tract(
+        request.vowel, air.rho_a_kg_m3, air.c_a_m_s, scale=request.model.resolved().airway_scale
+    )  # fmt: skip
+
+
+def airways_of(request: Simulation, step_s: float) -> Airways | None:
+    """What acts back on the folds: both airways with two-way coupling, None with one-way."""
+    if request.model.coupling == "one_way":
+        return None
+    air = request.constants
+    return airways(request.vowel, air.rho_a_kg_m3, air.c_a_m_s, step_s, request.model.resolved().airway_scale)
