@@ -5,6 +5,7 @@ MASK_HZ first (Gaussian, −3 dB), and open and rising times are read where the 
 its smallest value, because most speakers leak through the back of the glottis.
 """
 
+from itertools import pairwise
 from math import log, nan, pi, sqrt
 from typing import NamedTuple
 
@@ -50,21 +51,24 @@ def voice(result: SimulationResult) -> Voice:
 
 def flow_measures(flow_m3_s: np.ndarray, sample_rate_hz: float, fo_hz: float) -> FlowMeasures:
     """Measures of the last half of a flow, shape (n,), cycle by cycle of length 1/f_o."""
-    smooth = gaussian_filter1d(flow_m3_s, sqrt(log(2.0)) / (2 * pi * MASK_HZ) * sample_rate_hz) * 1e6
+    sigma = sqrt(log(2.0)) / (2 * pi * MASK_HZ) * sample_rate_hz
+    reach = int(4 * sigma) + 1  # the filter sees no flow beyond the end
+    smooth = gaussian_filter1d(flow_m3_s, sigma)[:-reach] * 1e6
+    slope = np.diff(smooth, prepend=smooth[0]) * sample_rate_hz * 1e-3
     period = sample_rate_hz / fo_hz
     count = int(len(smooth) / 2 / period) - 1
     if count < 1:
         return FlowMeasures()
     bounds = len(smooth) - np.round(np.arange(count, -1, -1) * period).astype(int)
-    return FlowMeasures(*np.mean([_cycle(smooth[a:b], sample_rate_hz) for a, b in zip(bounds, bounds[1:])], axis=0))  # noqa: B905
+    cycles = [_cycle(smooth[a:b], slope[a:b]) for a, b in pairwise(bounds)]
+    return FlowMeasures(*(float(mean) for mean in np.mean(cycles, axis=0)))
 
 
-def _cycle(flow_ml_s: np.ndarray, sample_rate_hz: float) -> tuple[float, float, float, float, float]:
-    """The measures of one cycle, read from its smallest flow on."""
+def _cycle(flow_ml_s: np.ndarray, slope_l_s2: np.ndarray) -> tuple[float, float, float, float, float]:
+    """The measures of one cycle, its times read from the smallest flow on."""
     wave = np.roll(flow_ml_s, -int(flow_ml_s.argmin()))
     low, swing = float(wave.min()), float(np.ptp(wave))
     above = np.flatnonzero(wave > low + ABOVE_BASELINE * swing)
     peak = int(wave.argmax())
     rising, falling = peak - above[0], above[-1] - peak
-    fall = -float(np.diff(wave).min()) * sample_rate_hz * 1e-3
-    return swing, low, fall, len(above) / len(wave), rising / falling if falling > 0 else nan
+    return swing, low, -float(slope_l_s2.min()), len(above) / len(wave), rising / falling if falling > 0 else nan

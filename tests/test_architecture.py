@@ -8,8 +8,16 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-PYTHON_ROOMS = ("vfcore", "cli", "server", "frontend", "paperscore", "benchmarks", "tests")
-OUTSIDE_THE_PHYSICS = {"vocalis_cli", "vocalis_server", "vocalis_frontend", "vocalis_paper", "vocalis_bench", "server"}
+PYTHON_ROOMS = ("vfcore", "cli", "server", "frontend", "paperscore", "normscore", "benchmarks", "tests")
+OUTSIDE_THE_PHYSICS = {
+    "vocalis_cli",
+    "vocalis_norms",
+    "vocalis_server",
+    "vocalis_frontend",
+    "vocalis_paper",
+    "vocalis_bench",
+    "server",
+}
 WEB_AND_PLOTS = {
     "fastapi",
     "starlette",
