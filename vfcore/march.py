@@ -39,26 +39,18 @@ class March:
         self.fold = fold
         self.time_step_s = time_step_s
         self.pressure_pa, self.rise_s = pressure_pa, rise_s
-        self.record_every = max(1, math.floor(DEFAULT_STEP_S / time_step_s + 1e-9))
+        self.record_every = record_every(time_step_s)
         self.buffer = assemble.new_buffer(fold, time_step_s)
         self._w = assemble.membrane(self.buffer, fold)
         self.scalars = assemble.scalars(fold, time_step_s)
         self.steps = 0
-        self.coupled = airways is not None
-        self.air = airways.new_buffer(pressure_pa) if airways else np.zeros(0)
-        self._advance = step_kernel(fold.nx, fold.ny, fold.rotation, self.coupled)
-        self._checkpoints: deque[tuple[int, np.ndarray, np.ndarray]] = deque(maxlen=CHECKPOINTS)
-
-    def _air(self, air: np.ndarray) -> tuple[np.ndarray, ...]:
-        """The airways' buffer as the last argument of the loop, where it takes one."""
-        return (air,) if self.coupled else ()
+        self.air = airways.new_buffer(pressure_pa) if airways else None
+        self._advance = step_kernel(fold.nx, fold.ny, fold.rotation)
+        self._checkpoints: deque[tuple[int, np.ndarray, np.ndarray | None]] = deque(maxlen=CHECKPOINTS)
 
     def start_flat(self) -> None:
         """w = 1 nm · sin(πx/L) sin(πy/b), everything else at rest."""
-        fold = self.fold
-        bump = np.sin(np.pi * fold.y_m / fold.y_m[-1])[:, None] * np.sin(np.pi * fold.x_m / fold.x_m[-1])
-        bump[[0, -1]], bump[:, [0, -1]] = 0.0, 0.0  # exact zeros: sin(π) is not
-        assemble.membrane(self.buffer, fold)[:] = FLAT_BUMP_M * bump
+        assemble.membrane(self.buffer, self.fold)[:] = flat_bump(self.fold)
 
     def start_static(self, shape: StaticShape) -> None:
         """The static shape, unmoving; with the rotation equation φ = ∂_y w, where the shear vanishes."""
@@ -95,33 +87,23 @@ class March:
         return record
 
     def _chunk(self, record: np.ndarray) -> None:
-        before, air = self.buffer.copy(), self.air.copy()
+        before, air = self.buffer.copy(), _copied(self.air)
         self._checkpoints.append((self.steps, before, air))
         steps = np.arange(self.steps, self.steps + len(record) * self.record_every)
-        self._advance(
-            self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record, *self._air(self.air)
-        )
+        pressure = self.pressure_at(steps)
+        self._advance(self.buffer, self.scalars, pressure, self.record_every, record.reshape(-1), self.air)
         self.steps += len(steps)
         w = self._w
         if not (w.max() < LARGEST_DISPLACEMENT_M and w.min() > -LARGEST_DISPLACEMENT_M):  # false for NaN
-            self._locate_divergence(before.copy(), air.copy(), steps)
+            self._locate_divergence(before.copy(), _copied(air), steps)
 
-    def _locate_divergence(self, buffer: np.ndarray, air: np.ndarray, steps: np.ndarray) -> None:
-        scratch = np.empty((1, len(RECORD)))
+    def _locate_divergence(self, buffer: np.ndarray, air: np.ndarray | None, steps: np.ndarray) -> None:
+        scratch = np.empty(len(RECORD))
         for step in steps:
-            self._advance(buffer, self.scalars, self.pressure_at(np.array([step])), 1, scratch, *self._air(air))
-            w = np.abs(assemble.membrane(buffer, self.fold))
-            bad = ~(w < LARGEST_DISPLACEMENT_M)
-            if bad.any():
-                j, i = np.argwhere(bad)[0]
-                raise DivergenceError(
-                    (step + 1) * self.time_step_s,
-                    i / (self.fold.nx - 1),
-                    j / (self.fold.ny - 1),
-                    f"the displacement passed {LARGEST_DISPLACEMENT_M * 1e3:g} mm",
-                    "Try a lower pressure or the constants' default values; if the same happens at a step below "
-                    f"{self.time_step_s:.3g} s, the step is not to blame.",
-                )
+            self._advance(buffer, self.scalars, self.pressure_at(np.array([step])), 1, scratch, air)
+            beyond = ~(np.abs(assemble.membrane(buffer, self.fold)) < LARGEST_DISPLACEMENT_M)
+            if beyond.any():
+                raise diverged(self.fold, self.time_step_s, step, beyond)
 
     def cycle(self, first_sample: int, last_sample: int, phases: int) -> dict[str, np.ndarray]:
         """Fields at ``phases`` evenly spaced times in [first_sample, last_sample), read back from a checkpoint.
@@ -133,20 +115,19 @@ class March:
         wanted = np.linspace(first_sample, last_sample, phases, endpoint=False) * self.record_every
         wanted = np.round(wanted).astype(int)
         at, buffer, air = next(item for item in reversed(self._checkpoints) if item[0] <= wanted[0])
-        buffer, air = buffer.copy(), air.copy()
-        w, v, dv = (assemble.membrane(buffer, fold, name) for name in ("w", "v", "dv"))
+        buffer, air = buffer.copy(), _copied(air)
+        w, velocity = (assemble.membrane(buffer, fold, name) for name in ("w", "v_star"))
         beam = assemble.beam(buffer, fold)
         shape = (phases, fold.ny, fold.nx)
         w_m, p_aero, p_col = np.empty(shape), np.empty(shape), np.empty(shape)
         w_b = np.empty((phases, fold.nx))
-        scratch = np.empty((1, len(RECORD)))
+        scratch = np.empty(len(RECORD))
         for phase, step in enumerate(wanted):
             if step > at:
                 steps = np.arange(at, step)
-                self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch, *self._air(air))
+                self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch, air)
                 at = step
             w_m[phase], w_b[phase] = w, beam
-            velocity = v + 0.5 * dv  # as the step extrapolates it
             surface_pressures(
                 w_m[phase], velocity, fold.medial_plane_m, *self._around_the_glottis(buffer, air, step), fold.dy,
                 k.alpha_s, 0.5 * k.rho_a_kg_m3, 12.0 * k.mu_a_pa_s, k.K_col_pa_m, k.C_col_pa_s_m,
@@ -160,19 +141,45 @@ class March:
             "cycle_contact_pressure_pa": p_col.transpose(0, 2, 1),
         }
 
-    def _around_the_glottis(self, buffer: np.ndarray, air: np.ndarray, step: int) -> tuple[float, float]:
+    def _around_the_glottis(self, buffer: np.ndarray, air: np.ndarray | None, step: int) -> tuple[float, float]:
         """Pressure at inlet and outlet, Pa, that the step from this state on would use; the state stays."""
-        P_s = self.pressure_at(np.array([step]))
-        if not self.coupled:
-            return float(P_s[0]), 0.0
-        record = np.empty((1, len(RECORD)))
-        self._advance(buffer.copy(), self.scalars, P_s, 1, record, *self._air(air.copy()))
-        return record[0, RECORD.index("inlet_pressure_pa")], record[0, RECORD.index("outlet_pressure_pa")]
+        record = np.empty(len(RECORD))
+        self._advance(buffer.copy(), self.scalars, self.pressure_at(np.array([step])), 1, record, _copied(air))
+        return record[RECORD.index("inlet_pressure_pa")], record[RECORD.index("outlet_pressure_pa")]
 
     @property
     def oldest_sample(self) -> int:
         """The first recorded sample that ``cycle`` can still read back."""
         return -(-self._checkpoints[0][0] // self.record_every)
+
+
+def _copied(air: np.ndarray | None) -> np.ndarray | None:
+    return None if air is None else air.copy()
+
+
+def record_every(time_step_s: float) -> int:
+    """Steps per recorded sample, so that the record comes at about 35 kHz for any step."""
+    return max(1, math.floor(DEFAULT_STEP_S / time_step_s + 1e-9))
+
+
+def flat_bump(fold: assemble.Fold) -> np.ndarray:
+    """1 nm · sin(πx/L) sin(πy/b), (ny, nx)."""
+    bump = np.sin(np.pi * fold.y_m / fold.y_m[-1])[:, None] * np.sin(np.pi * fold.x_m / fold.x_m[-1])
+    bump[[0, -1]], bump[:, [0, -1]] = 0.0, 0.0  # exact zeros: sin(π) is not
+    return FLAT_BUMP_M * bump
+
+
+def diverged(fold: assemble.Fold, time_step_s: float, step: int, beyond: np.ndarray) -> DivergenceError:
+    """The error of a fold that after ``step`` is out of bounds at the nodes ``beyond`` (ny, nx)."""
+    j, i = np.argwhere(beyond)[0]
+    return DivergenceError(
+        (step + 1) * time_step_s,
+        i / (fold.nx - 1),
+        j / (fold.ny - 1),
+        f"the displacement passed {LARGEST_DISPLACEMENT_M * 1e3:g} mm",
+        "Try a lower pressure or the constants' default values; if the same happens at a step below "
+        f"{time_step_s:.3g} s, the step is not to blame.",
+    )
 
 
 def contact_location(record: np.ndarray, nx: int) -> np.ndarray:
