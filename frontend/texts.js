@@ -13,6 +13,8 @@ export const TOP = {
   preset: "Voice",
   own: "Own settings",
   variant: "Model",
+  paper: "Paper",
+  instrument: "Instrument",
   share: "Copy link",
   shared: "Link copied: it opens this voice.",
   sharedFailed: "The link is in the address bar.",

@@ -50,7 +50,7 @@ MAY_IMPORT = {
     "closure": set(),
     "assemble": BASE | {"tissue", "kernels"},
     "stability": BASE | {"assemble"},
-    "statics": BASE | {"assemble", "closure"},
+    "statics": BASE | {"assemble", "closure", "kernels"},
     "march": BASE | {"acoustics", "assemble", "statics", "kernels"},
     "march_batch": BASE | {"acoustics", "assemble", "statics", "kernels", "march"},
 }

@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
+from functools import cache
 from importlib.metadata import version
 from typing import NamedTuple
 
@@ -11,14 +12,13 @@ import numpy as np
 
 from vfcore.acoustics.airways import airways_of, tract_of
 from vfcore.acoustics.impulse_response import radiate
-from vfcore.acoustics.tract import Tract
 from vfcore.assemble import Fold, assemble
 from vfcore.error_estimate import REFINEMENTS, Level, companion_step_s, companions, richardson, without_bars
 from vfcore.errors import DivergenceError
 from vfcore.kernels.layout import RECORD
 from vfcore.march import March, contact_location
 from vfcore.measures.catalogue import MeasureReport, measure_all
-from vfcore.measures.signals import Signals
+from vfcore.measures.signals import Signals, Sound, window_start
 from vfcore.params import Simulation
 from vfcore.posture.equilibrium import solve_posture
 from vfcore.posture.solution import PostureSolution
@@ -61,10 +61,17 @@ def prepare(request: Simulation, alter: Callable[[Coefficients], Coefficients] =
     Raises PostureError, ParameterError or StaticShapeError.
     """
     posture = posture_of(request)
+    fold = fold_of(request, posture, alter)
+    return Prepared(posture, fold, static_shape_of(fold))
+
+
+def fold_of(
+    request: Simulation, posture: PostureSolution, alter: Callable[[Coefficients], Coefficients] = lambda c: c
+) -> Fold:
+    """The prestrained fold of a request in its posture. Raises ParameterError where it has no stiffness left."""
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
     c = alter(coefficients(posture.strain, request.activation.ta, request.constants))
-    fold = assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
-    return Prepared(posture, fold, static_shape_of(fold))
+    return assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
 
 
 def static_shape(request: Simulation) -> StaticShape:
@@ -103,8 +110,10 @@ def _run(request: Simulation, progress, stop, ready: Prepared, step_s: float | N
     record = march.run(samples, progress, stop)
     kernel_seconds = time.perf_counter() - began
 
-    arrays = _waveforms(record, sample_s, fold.nx, beside.supraglottal if beside else tract_of(request))
-    report = measure_all(_signals(request, ready, arrays, sample_s))
+    arrays = waveforms(record, sample_s, fold.nx)
+    sound = _whole_sound(request, arrays["glottal_flow_m3_s"], sample_s)
+    arrays |= {"radiated_pressure_pa": sound.lip_pressure_pa, "far_pressure_pa": sound.far_pressure_pa}
+    report = measure_all(signals_of(request, ready.posture, fold, arrays, sample_s), radiate=lambda: sound)
     first, last, complete = _cycle_bounds(report, march, samples, sample_s)
     arrays |= {
         "x_m": fold.x_m,
@@ -156,15 +165,13 @@ def _run_with_companions(request: Simulation, progress, stop, prepared_by) -> Si
     return replace(result, error_estimate=richardson(levels, reports))
 
 
-def _waveforms(record: np.ndarray, sample_s: float, nx: int, tract: Tract) -> dict[str, np.ndarray]:
+def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
+    """The recorded waveforms by name, (samples,) each: all of a run but its sound."""
     column = {name: np.ascontiguousarray(record[:, k]) for k, name in enumerate(RECORD)}
-    sound = radiate(column["glottal_flow_m3_s"], sample_s, tract)
     return {
         "time_s": np.arange(len(record)) * sample_s,
         "glottal_area_m2": column["glottal_area_m2"],
         "glottal_flow_m3_s": column["glottal_flow_m3_s"],
-        "radiated_pressure_pa": sound.lip_pressure_pa,
-        "far_pressure_pa": sound.far_pressure_pa,
         "contact_pressure_max_pa": column["contact_pressure_max_pa"],
         "contact_location": contact_location(record, nx),
         "contact_area_m2": column["contact_area_m2"],
@@ -173,15 +180,34 @@ def _waveforms(record: np.ndarray, sample_s: float, nx: int, tract: Tract) -> di
     }
 
 
-def _signals(request: Simulation, ready: Prepared, arrays: dict[str, np.ndarray], sample_s: float) -> Signals:
-    c, posture = ready.fold.coefficients, ready.posture
+def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
+    """Sound of a run where it is measured, its last half: the whole sound bit for bit, and 0 before."""
+    start = window_start(len(flow_m3_s))
+    heard = radiate(flow_m3_s, sample_s, tract_of(request), first=start, mouth_flow=False)
+    silence = np.zeros(start)
+    return Sound(np.concatenate((silence, heard.lip_pressure_pa)), np.concatenate((silence, heard.far_pressure_pa)))
+
+
+def _whole_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
+    start = window_start(len(flow_m3_s))
+    sound = measured_sound(request, flow_m3_s, sample_s)
+    before = radiate(flow_m3_s[:start], sample_s, tract_of(request), mouth_flow=False)
+    sound.lip_pressure_pa[:start], sound.far_pressure_pa[:start] = before.lip_pressure_pa, before.far_pressure_pa
+    return sound
+
+
+def signals_of(
+    request: Simulation, posture: PostureSolution, fold: Fold, arrays: dict[str, np.ndarray], sample_s: float
+) -> Signals:
+    """What the measures are told of a run: its ``waveforms`` and scalars, without the sound."""
+    c = fold.coefficients
     return Signals(
         sample_rate_hz=1.0 / sample_s,
         time_s=arrays["time_s"],
         glottal_area_m2=arrays["glottal_area_m2"],
         glottal_flow_m3_s=arrays["glottal_flow_m3_s"],
-        lip_pressure_pa=arrays["radiated_pressure_pa"],
-        far_pressure_pa=arrays["far_pressure_pa"],
+        lip_pressure_pa=None,
+        far_pressure_pa=None,
         contact_pressure_max_pa=arrays["contact_pressure_max_pa"],
         contact_location=arrays["contact_location"],
         contact_area_m2=arrays["contact_area_m2"],
@@ -206,11 +232,16 @@ def _cycle_bounds(report: MeasureReport, march: March, samples: int, sample_s: f
     return max(samples - (last - first), march.oldest_sample), samples, True
 
 
+@cache
+def _numba_version() -> str:
+    return version("numba")
+
+
 def _provenance(march: March, sample_s: float, kernel_seconds: float) -> Provenance:
     return Provenance(
         model_version=MODEL_VERSION,
         code_version=CODE_VERSION,
-        numba_version=version("numba"),
+        numba_version=_numba_version(),
         numpy_version=np.__version__,
         created=datetime.now(UTC).isoformat(timespec="seconds"),
         time_step_s=march.time_step_s,

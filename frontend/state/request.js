@@ -1,6 +1,6 @@
 /** What is asked of the model: the schema, every value, and what the last hand movement started from. */
 import { batch, computed, signal } from "../ui.js";
-import { capital, defaultValues, presetOf, presetValues } from "../params.js";
+import { capital, defaultValues, flatten, presetOf, presetValues } from "../params.js";
 import { readonly } from "./readonly.js";
 
 const GESTURE_PAUSE_MS = 1500;
@@ -54,6 +54,12 @@ export function choosePreset(key) {
 export function chooseVariant(key) {
   const { meant_with: coupling } = _schema.value.variants.find((row) => row.key === key);
   change({ ..._values.value, "model.variant": key, "model.coupling": coupling }, "model.variant");
+}
+
+/** The whole of a request document, with defaults for what it does not name; what the page does not set is left out. */
+export function takeRequest(document) {
+  const known = Object.entries(flatten(document)).filter(([path]) => _schema.value.parameters.has(path));
+  change({ ...defaultValues(_schema.value), ...Object.fromEntries(known) }, "request");
 }
 
 export function setTied(on) {
