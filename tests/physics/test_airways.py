@@ -89,7 +89,6 @@ def test_a_pulsing_glottis_equals_the_twin(vowel):
     assert np.abs(inlet - inlet_twin).max() < 1e-6 and np.abs(outlet - outlet_twin).max() < 1e-6
 
 
-@pytest.mark.kernel
 def test_a_steady_flow_meets_the_glottis_and_the_lungs_only():
     air = MALE.new_buffer(800.0)
     conductance, viscous = 1.2e-5, 0.1  # about 0.34 L/s under 800 Pa
