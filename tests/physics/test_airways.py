@@ -109,15 +109,11 @@ def test_without_lung_pressure_the_waves_only_lose(steps):
     air = ways.new_buffer(0.0)
     air[kernel.EXCESS_S] = air[kernel.EXCESS_V] = 0.0  # exactly passive step by step; the correction: next test
     rng = np.random.default_rng(1)
-    start, energies = kernel.HEADER, []
-    views = []
-    for tract in (ways.subglottal, ways.supraglottal):
-        count = len(tract.areas_m2)
-        rows = air[start : start + len(kernel.ROWS) * count].reshape(len(kernel.ROWS), count)
-        rows[:2] = 100 * rng.standard_normal((2, count))
+    energies, views = [], []
+    for tract, rows in zip((ways.subglottal, ways.supraglottal), ways.rows(air), strict=True):
+        rows[:2] = 100 * rng.standard_normal((2, rows.shape[1]))
         # a wave arrived at the end of its section was larger before the crossing's loss, and so is its energy
         views.append((rows, tract.transmission, np.array(tract.areas_m2)))
-        start += rows.size
     for n in range(1000):
         energies.append(sum(float(np.sum(area * (rows[:2] / kept) ** 2)) for rows, kept, area in views))
         opening = 2e-5 * max(np.sin(n / 30), 0.0)

@@ -37,11 +37,22 @@ class Airways:
         below, above = (float(input_impedance(tract, 0.0).real) for tract in (self.subglottal, self.supraglottal))
         return below - LUNG_RESISTANCE_PA_S_M3, above
 
+    def rows(self, air: np.ndarray) -> list[np.ndarray]:
+        """Views of a buffer, (len(ROWS), sections) of the airway below and of the one above."""
+        views, start = [], kernel.HEADER
+        for tract in (self.subglottal, self.supraglottal):
+            count = len(tract.areas_m2)
+            length = kernel.row_length(count)
+            block = air[start : start + len(kernel.ROWS) * length].reshape(len(kernel.ROWS), length)
+            views.append(block[:, :count])
+            start += block.size
+        return views
+
     def new_buffer(self, pressure_pa: float) -> np.ndarray:
         """The buffer of vfcore.kernels.airways: at rest under a transglottal pressure, glottis closed."""
         below, above = self.subglottal, self.supraglottal
         n_s, n_v = len(below.areas_m2), len(above.areas_m2)
-        air = np.zeros(kernel.HEADER + len(kernel.ROWS) * (n_s + n_v))
+        air = np.zeros(kernel.HEADER + len(kernel.ROWS) * (kernel.row_length(n_s) + kernel.row_length(n_v)))
         air[kernel.SUBSTEPS], air[kernel.SECTIONS_S], air[kernel.SECTIONS_V] = self.substeps, n_s, n_v
         air[kernel.IMPEDANCE_S], air[kernel.IMPEDANCE_V] = below.impedance_pa_s_m3[0], above.impedance_pa_s_m3[0]
         air[kernel.END_S : kernel.END_S + 3] = below.lip_reflection
@@ -49,12 +60,9 @@ class Airways:
         air[kernel.EXCESS_S], air[kernel.EXCESS_V] = self.excess_resistance
         air[kernel.SLOW_SHARE] = 2 * np.pi * STEADY_BELOW_HZ * below.section_travel_s
         air[kernel.DROP], air[kernel.VISCOUS_SHARE] = pressure_pa, 1.0
-        start = kernel.HEADER
-        for tract, count in ((below, n_s), (above, n_v)):
-            rows = air[start : start + len(kernel.ROWS) * count].reshape(len(kernel.ROWS), count)
+        for tract, rows in zip((below, above), self.rows(air), strict=True):
             rows[kernel.ROWS.index("transmission")] = tract.transmission
             rows[kernel.ROWS.index("reflection"), :-1] = tract.reflection
-            start += rows.size
         return air
 
 

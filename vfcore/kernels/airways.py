@@ -33,6 +33,7 @@ Not validated against measured pressures.
 import math
 
 from vfcore.kernels.jit import jit
+from vfcore.kernels.lanes import load, store
 
 # Header of the airways' buffer: numbers that are fixed, then those that move. Sections and waves follow it.
 (
@@ -43,9 +44,17 @@ EXCESS_S, EXCESS_V, SLOW_SHARE, SLOW_FLOW = 19, 20, 21, 22
 HEADER = 24
 #: Arrays of each airway, one value per section: waves arrived at the far end and at the glottal end (Pa, deviations),
 #: room for the next ones, what a crossing leaves of a wave, reflection at the junction behind the section.
+#: A row has room for the lanes of the last section; what is beyond it stays 0.
 ROWS = ("away", "back", "next_away", "next_back", "transmission", "reflection")
+WIDTH = 8  # sections worked on together
 # The law is linearised at no less than this drop, so that its viscous share stays a number.
 SMALLEST_DROP_PA = 1.0
+
+
+@jit
+def row_length(sections):
+    """Numbers kept for one row of an airway of so many sections."""
+    return (sections // WIDTH + 2) * WIDTH
 
 
 @jit
@@ -63,20 +72,22 @@ def glottal_flow(D, Z, conductance, viscous, root_drop):
 
 
 @jit
-def wave_step(away, back, next_away, next_back, transmission, reflection, entering, end, memory):
+def wave_step(air, away, back, next_away, next_back, transmission, reflection, last, entering, end, memory):
     """One step of one airway: all waves cross a section and scatter. Returns the end's stored number.
 
-    ``entering``: the wave that leaves the glottis, Pa. ``end``: β_0, β_1, a_1 of the reflection at the far end.
+    ``away`` … ``reflection``: where the rows of the airway begin in ``air``. ``last``: its last section.
+    ``entering``: the wave that leaves the glottis, Pa. ``end``: where β_0, β_1, a_1 of the far end's reflection are.
     """
-    last = away.size - 1
-    for i in range(last):
-        scattered = reflection[i] * (away[i] - back[i + 1])
-        next_away[i + 1] = transmission[i + 1] * (away[i] + scattered)
-        next_back[i] = transmission[i] * (back[i + 1] + scattered)
-    next_away[0] = transmission[0] * entering
-    reflected = end[0] * away[last] + memory
-    next_back[last] = transmission[last] * reflected
-    return end[1] * away[last] - end[2] * reflected
+    for i in range(0, last, WIDTH):
+        a, b = load(air, away + i, WIDTH), load(air, back + i + 1, WIDTH)
+        scattered = load(air, reflection + i, WIDTH) * (a - b)
+        store(air, next_away + i + 1, load(air, transmission + i + 1, WIDTH) * (a + scattered))
+        store(air, next_back + i, load(air, transmission + i, WIDTH) * (b + scattered))
+    air[next_away] = air[transmission] * entering
+    arrived = air[away + last]
+    reflected = air[end] * arrived + memory
+    air[next_back + last] = air[transmission + last] * reflected
+    return air[end + 1] * arrived - air[end + 2] * reflected
 
 
 @jit
@@ -87,14 +98,9 @@ def advance_airways(air, P_s, conductance, viscous):
     """
     m, n_s, n_v = int(air[SUBSTEPS]), int(air[SECTIONS_S]), int(air[SECTIONS_V])
     Z_s, Z_v = air[IMPEDANCE_S], air[IMPEDANCE_V]
-    end_s, end_v = air[END_S : END_S + 3], air[END_V : END_V + 3]
-    start_v = HEADER + 6 * n_s
-    away_s, back_s = air[HEADER : HEADER + n_s], air[HEADER + n_s : HEADER + 2 * n_s]
-    next_away_s, next_back_s = air[HEADER + 2 * n_s : HEADER + 3 * n_s], air[HEADER + 3 * n_s : HEADER + 4 * n_s]
-    alpha_s, r_s = air[HEADER + 4 * n_s : HEADER + 5 * n_s], air[HEADER + 5 * n_s : start_v]
-    away_v, back_v = air[start_v : start_v + n_v], air[start_v + n_v : start_v + 2 * n_v]
-    next_away_v, next_back_v = air[start_v + 2 * n_v : start_v + 3 * n_v], air[start_v + 3 * n_v : start_v + 4 * n_v]
-    alpha_v, r_v = air[start_v + 4 * n_v : start_v + 5 * n_v], air[start_v + 5 * n_v : start_v + 6 * n_v]
+    row_s, row_v = row_length(n_s), row_length(n_v)
+    begin_v = HEADER + 6 * row_s
+    now_s, next_s, now_v, next_v = HEADER, HEADER + 2 * row_s, begin_v, begin_v + 2 * row_v
     dy, dphi = (conductance - air[CONDUCTANCE]) / m, (viscous - air[VISCOUS_SHARE]) / m
     root_drop = math.sqrt(max(abs(air[DROP]), SMALLEST_DROP_PA))
     excess_s, excess_v, slow = air[EXCESS_S], air[EXCESS_V], air[SLOW_FLOW]
@@ -102,24 +108,26 @@ def advance_airways(air, P_s, conductance, viscous):
     for k in range(m):
         y = max(conductance - (m - 1 - k) * dy, 0.0)  # the last is exact: 0 for a closed glottis
         phi = viscous - (m - 1 - k) * dphi
-        arrived_s, arrived_v = back_s[0], back_v[0]
+        arrived_s, arrived_v = air[now_s + row_s], air[now_v + row_v]
         base_s = P_s + 2.0 * arrived_s + excess_s * slow
         base_v = 2.0 * arrived_v - excess_v * slow
         flow = glottal_flow(base_s - base_v, Z_s + Z_v, y, phi, root_drop)
         slow += air[SLOW_SHARE] * (flow - slow)
         air[MEMORY_S] = wave_step(
-            away_s, back_s, next_away_s, next_back_s, alpha_s, r_s, arrived_s - Z_s * flow, end_s, air[MEMORY_S]
-        )
+            air, now_s, now_s + row_s, next_s, next_s + row_s, HEADER + 4 * row_s, HEADER + 5 * row_s, n_s - 1,
+            arrived_s - Z_s * flow, END_S, air[MEMORY_S],
+        )  # fmt: skip
         air[MEMORY_V] = wave_step(
-            away_v, back_v, next_away_v, next_back_v, alpha_v, r_v, arrived_v + Z_v * flow, end_v, air[MEMORY_V]
-        )
-        away_s, next_away_s = next_away_s, away_s
-        back_s, next_back_s = next_back_s, back_s
-        away_v, next_away_v = next_away_v, away_v
-        back_v, next_back_v = next_back_v, back_v
+            air, now_v, now_v + row_v, next_v, next_v + row_v, begin_v + 4 * row_v, begin_v + 5 * row_v, n_v - 1,
+            arrived_v + Z_v * flow, END_V, air[MEMORY_V],
+        )  # fmt: skip
+        now_s, next_s = next_s, now_s
+        now_v, next_v = next_v, now_v
     if m % 2 == 1:  # the newest waves stand in the room for the next ones
-        next_away_s[:], next_back_s[:] = away_s, back_s
-        next_away_v[:], next_back_v[:] = away_v, back_v
+        for i in range(2 * row_s):
+            air[next_s + i] = air[now_s + i]
+        for i in range(2 * row_v):
+            air[next_v + i] = air[now_v + i]
     air[CONDUCTANCE], air[VISCOUS_SHARE], air[FLOW] = conductance, viscous, flow
     air[SLOW_FLOW] = slow
     air[INLET], air[OUTLET] = base_s - Z_s * flow, base_v + Z_v * flow
