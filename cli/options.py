@@ -6,7 +6,6 @@ from typing import Annotated, Any, NamedTuple
 
 import typer
 
-from vfcore.params import Simulation
 from vfcore.presets import PRESETS
 from vfcore.request import simulation_from_dict
 from vfcore.schema import parameter_schema
@@ -51,9 +50,10 @@ _PRESET_NAMES = ", ".join(preset.key for preset in PRESETS)
 _SOURCES = ("preset", "request", "set")
 
 
-def takes_request(options: tuple[RequestOption, ...]) -> Callable:
-    """Decorator: the command gets ``request``, a Simulation made from ``options``, --preset, --request and --set.
+def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict], Any] = simulation_from_dict) -> Callable:
+    """Decorator: the command gets ``request``, made from ``options``, --preset, --request and --set.
 
+    ``make`` turns the merged document into what the command takes: a Simulation when left out.
     Later beats earlier: preset, request file, single options, --set. ParameterError for what cannot be used.
     """
 
@@ -67,7 +67,7 @@ def takes_request(options: tuple[RequestOption, ...]) -> Callable:
         def wrapper(**values):
             sources = [values.pop(name) for name in _SOURCES]
             given = {option.key: values.pop(option.name) for option in options}
-            return command(request=_simulation(*sources, given), **values)
+            return command(request=make(_document(*sources, given)), **values)
 
         parameters = [*_option_parameters(options), *_source_parameters(), *own]
         wrapper.__signature__ = inspect.Signature(parameters)
@@ -78,19 +78,22 @@ def takes_request(options: tuple[RequestOption, ...]) -> Callable:
     return decorate
 
 
-def _simulation(
+def _document(
     preset: str | None, path: str | None, settings: list[str] | None, given: Mapping[str, str | bool | None]
-) -> Simulation:
+) -> dict[str, Any]:
     changes = {
         key: text if _ROWS[key]["type"] in ("choice", "boolean") else number_or_text(text)
         for key, text in given.items()
         if text is not None
     }
-    return simulation_from_dict(request_document(preset, path, changes, settings or []))
+    return request_document(preset, path, changes, settings or [])
 
 
-def number_or_text(text: str) -> int | float | str:
-    """The number that ``text`` spells, otherwise the text, for the request's own validation to judge."""
+def number_or_text(text: str) -> int | float | str | list:
+    """The number or the breakpoints (``0:0.1,1.5:0.9``) that ``text`` spells, otherwise the text, for the request's
+    own validation to judge."""
+    if ":" in text:
+        return [[number_or_text(part) for part in pair.split(":", 1)] for pair in text.split(",")]
     for kind in (int, float):
         try:
             return kind(text)

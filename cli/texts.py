@@ -9,6 +9,7 @@ COMMANDS = {
     "posture": "Where five muscle activations put the folds: strain, glottal angle, tension.",
     "static": "The shape of the folds at that posture without air pressure, and how they close.",
     "simulate": "Let them vibrate: measures, waveforms, sound.",
+    "gesture": "Let the muscles move while they vibrate: glides, onsets, contours.",
     "serve": "The dashboard and the HTTP API on this machine.",
     "paper": "What the paper claims, each claim tested and scored.",
     "norms": "The voice against published norms of men.",

@@ -7,12 +7,14 @@ from fastapi import Depends
 from starlette.requests import HTTPConnection
 
 from vocalis_server.access import Access, access_for, client_of
+from vocalis_server.gestures import GestureCache
 from vocalis_server.jobs.desk import Desk
 from vocalis_server.jobs.events import EventLog
 from vocalis_server.jobs.interactive import Interactive
 from vocalis_server.jobs.results import ResultCache
 from vocalis_server.jobs.store import JobStore
 from vocalis_server.kernels import Kernels
+from vocalis_server.live.host import Host
 from vocalis_server.settings import Settings
 
 
@@ -28,6 +30,8 @@ class Services:
     desk: Desk
     postures: Interactive
     runs: Interactive
+    voices: Host
+    gestures: GestureCache
 
     @classmethod
     def of(cls, settings: Settings) -> "Services":
@@ -43,6 +47,8 @@ class Services:
             desk=Desk(results, events, store, settings.workers, settings.jobs_per_client, settings.queue_length),
             postures=Interactive(1, settings.interactive_waiting, "posture"),
             runs=Interactive(settings.interactive_slots, settings.interactive_waiting, "run"),
+            voices=Host(settings.live_voices),
+            gestures=GestureCache(),
         )
 
     def start(self) -> None:
@@ -54,6 +60,7 @@ class Services:
         """End streams, runs and worker processes."""
         self.events.close()
         self.desk.engine.close()
+        self.voices.close()
 
 
 def services(connection: HTTPConnection) -> Services:

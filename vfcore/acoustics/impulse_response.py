@@ -80,7 +80,7 @@ def _cubic(distance: np.ndarray) -> np.ndarray:
 
 
 @lru_cache(maxsize=16)
-def _response_at(tract: Tract, time_step_s: float) -> np.ndarray:
+def response_at(tract: Tract, time_step_s: float) -> np.ndarray:
     """g for lip pressure, mouth flow and far pressure, shape (3, taps)."""
     lip_pressure, mouth_flow = impulse_response(tract)
     flow_rate = np.convolve(mouth_flow, _CENTRAL_DIFFERENCE)[2:-2] / tract.section_travel_s
@@ -100,7 +100,7 @@ def _response_at(tract: Tract, time_step_s: float) -> np.ndarray:
 @lru_cache(maxsize=16)
 def _spectra_at(tract: Tract, time_step_s: float, length: int) -> np.ndarray:
     """Spectra of g, zero-padded to ``length`` samples, shape (3, length//2 + 1)."""
-    return rfft(_response_at(tract, time_step_s), length, axis=1)
+    return rfft(response_at(tract, time_step_s), length, axis=1)
 
 
 def radiate(
@@ -121,7 +121,7 @@ def radiate(
         raise ParameterError("flow_m3_s", f"shape {flow.shape} is not a waveform", "one value per time step")
     if not np.isfinite(flow).all():
         raise ParameterError("flow_m3_s", "the flow has values that are not finite", "finite values, m³/s")
-    taps = _response_at(tract, float(time_step_s)).shape[1]
+    taps = response_at(tract, float(time_step_s)).shape[1]
     count = flow.size - first
     block = min(count, max(LONGEST_BLOCK, 2 * taps))
     length = next_fast_len(block + taps - 1, real=True)
