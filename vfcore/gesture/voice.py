@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfcore.acoustics.airways import airways_of
 from vfcore.acoustics.tract import vowel_tract
 from vfcore.assemble import Fold
 from vfcore.errors import ParameterError
@@ -44,7 +45,8 @@ class Voice:
         ready = prepare(start)
         if start.run.time_step_s is not None:
             raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
-        march = March(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa)
+        beside = airways_of(start, DEFAULT_STEP_S)  # those of the first vowel: what loads the folds does not glide
+        march = March(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=beside)
         march.start_static(ready.static) if start.run.start == "static" else march.start_flat()
         self.request, self.posture = start, ready.posture
         self._check(ready.fold)
