@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfcore.acoustics.airways import airways_of
-from vfcore.acoustics.tract import vowel_tract
+from vfcore.acoustics.airways import airways_of, tract_of
 from vfcore.assemble import Fold
 from vfcore.errors import ParameterError
 from vfcore.gesture.glide import GlidingFold
@@ -101,7 +100,7 @@ class Voice:
 
     @staticmethod
     def _tract(request: Simulation):
-        return vowel_tract(request.vowel, request.constants.rho_a_kg_m3, request.constants.c_a_m_s)
+        return tract_of(request)
 
 
 def _same_fold(a: Simulation, b: Simulation) -> bool:
