@@ -33,6 +33,7 @@ def _options(panel: str, **keys: str) -> tuple[RequestOption, ...]:
 _MUSCLES = _options(MUSCLES, **{key: f"activation.{key}" for key in ("ta", "ct", "lca", "ia", "pca")})
 _BREATH = _options(BREATH, pressure="subglottal_pressure_pa", pressure_rise="run.pressure_rise_s", vowel="vowel")
 _SETS = _options(MODEL, variant="model.variant", posture_set="model.posture_set")
+_COUPLING = _options(MODEL, coupling="model.coupling")
 _EQUATIONS = _options(
     MODEL, coupling_gradient="model.coupling_gradient", shear="model.shear", convergence_angle="convergence_angle_rad"
 )
@@ -42,7 +43,7 @@ _ESTIMATE = _options(RUN, error_estimate="run.error_estimate")
 
 POSTURE_OPTIONS = (*_MUSCLES, *_SETS)
 SHAPE_OPTIONS = (*_MUSCLES, *_SETS, *_EQUATIONS, *_GRID)
-SIMULATE_OPTIONS = (*_MUSCLES, *_BREATH, *_SETS, *_EQUATIONS, *_RUN, *_GRID, *_ESTIMATE)
+SIMULATE_OPTIONS = (*_MUSCLES, *_BREATH, *_SETS, *_COUPLING, *_EQUATIONS, *_RUN, *_GRID, *_ESTIMATE)
 
 _ROWS = {row["key"]: row for row in parameter_schema()}
 _PRESET_NAMES = ", ".join(preset.key for preset in PRESETS)

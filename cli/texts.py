@@ -13,6 +13,7 @@ COMMANDS = {
     "sweep": "The same over one to three parameters: a table of measures, as netCDF or CSV.",
     "serve": "The dashboard and the HTTP API on this machine.",
     "paper": "What the paper claims, each claim tested and scored.",
+    "norms": "The voice against published norms of men.",
     "bench": "How fast it all runs on this machine.",
 }
 
@@ -34,6 +35,7 @@ EPILOG = """
 - `vocalis simulate --preset breathy --wav breathy.wav` — hear it
 - `vocalis simulate --pressure 800 --vowel i --json > result.json` — every measure, for a script
 - `vocalis sweep --axis activation.ct=0:1:21 --axis activation.ta=0:1:21 --netcdf map.nc` — a map over two muscles
+- `vocalis simulate --variant human --coupling two_way --pressure 600` — a voice of human size
 - `vocalis simulate --set constants.K_col_pa_m=2e6` — any constant of the model
 
 Exit codes: 0 done, 1 the model has no answer there, 2 the input cannot be used.

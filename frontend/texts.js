@@ -26,7 +26,12 @@ export const TOP = {
   help: "Keys and help",
 };
 
-export const VARIANT_NAMES = { paper: "Paper", text_literal: "Text to the letter" };
+export const VARIANT_NAMES = {
+  paper: "Paper",
+  text_literal: "Text to the letter",
+  human: "Human: man",
+  human_female: "Human: woman, extrapolated",
+};
 
 export const GROUPS = {
   muscles: "Muscles",

@@ -14,12 +14,11 @@ from typing import Any
 
 from vfcore.document import json_text
 from vfcore.files.atomic import write_bytes
-from vfcore.params import VARIANTS
 from vocalis_paper.convergence import convergence_document
 from vocalis_paper.convergence_text import convergence_tables
 from vocalis_paper.report_text import filled, tables
 from vocalis_paper.run import workers
-from vocalis_paper.run_document import score_variant, scoreboard
+from vocalis_paper.run_document import READINGS, score_variant, scoreboard
 from vocalis_paper.study import study_document
 
 RESULTS = Path(__file__).parent / "results"
@@ -37,7 +36,7 @@ def shipped(path: Path) -> dict[str, Any]:
 def run_and_write() -> None:
     """Everything anew; some minutes."""
     with workers(os.cpu_count() or 1) as pool:
-        scored = {variant: score_variant(variant, pool) for variant in VARIANTS}
+        scored = {variant: score_variant(variant, pool) for variant in READINGS}
         study = study_document(pool)
         convergence = convergence_document(pool)
     _write(SCOREBOARD, scoreboard(scored))

@@ -12,6 +12,7 @@ import numpy as np
 
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict, simulation_to_dict
+from vfcore.variants import VARIANTS
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 from vocalis_paper.claim import Claim, Outcome
 from vocalis_paper.evidence import ActivationMap, PcaSweep
@@ -19,6 +20,8 @@ from vocalis_paper.registry import CLAIMS
 from vocalis_paper.run import Gathered, gather, warm_up
 from vocalis_paper.run_score import cases_for, definitions_hash, judge, score
 
+#: The two readings of the paper, scored unless a variant is named: its numbers, and its text to the letter.
+READINGS = ("paper", "text_literal")
 #: Six figures, well beyond what any verdict hangs on, keep the stored document small.
 FIGURES = 6
 
@@ -36,9 +39,9 @@ def score_variant(
     variant: str, pool: ProcessPoolExecutor, claims: Mapping[str, Claim] = CLAIMS,
     progress: Callable[[str, int, int], None] = lambda case, done, total: None,
 ) -> Scored:  # fmt: skip
-    """Run and judge ``claims`` for one model variant."""
+    """Run and judge ``claims`` for one model variant, with the source–tract coupling it is meant with."""
     began = perf_counter()
-    base = simulation_from_dict({"model": {"variant": variant}})
+    base = simulation_from_dict({"model": {"variant": variant, "coupling": VARIANTS[variant].meant_with}})
     warm_up(base)
     gathered = gather(cases_for(base, claims), pool, progress)
     return Scored(base, gathered, judge(gathered.evidence, claims), perf_counter() - began)

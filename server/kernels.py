@@ -5,13 +5,14 @@ import logging
 import threading
 import time
 
-from vfcore.params import Run, Simulation
+from vfcore.params import Model, Run, Simulation
 from vfcore.simulate import prepare, simulate
 from vfcore.version import MODEL_VERSION
 from vocalis_server.problems import NotReady
 
 log = logging.getLogger("vocalis")
 _SHORTEST = Simulation(run=Run(duration_s=0.02))
+_COUPLED = Simulation(model=Model(coupling="two_way"), run=Run(duration_s=0.02))
 WAIT_S = 30.0  # for a first compilation on a slow machine
 LOOK_EVERY_S = 0.02
 
@@ -49,6 +50,7 @@ class Kernels:
             return
         self.message = f"ready: the kernels of model {MODEL_VERSION} took {time.perf_counter() - began:.1f} s"
         self._runs.set()
+        simulate(_COUPLED)  # nobody waits for it: a first run with two-way coupling finds it compiled
 
     async def for_postures(self) -> None:
         """Return when postures can be solved; NotReady when that takes too long or has failed."""

@@ -4,8 +4,10 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import NamedTuple
 
+from vfcore.acoustics.airways import airways_of
 from vfcore.assemble import Fold
-from vfcore.errors import ParameterError, VocalisError
+from vfcore.errors import DivergenceError, ParameterError, VocalisError
+from vfcore.march import March
 from vfcore.march_batch import Motion, Outcome, march_many
 from vfcore.measures.catalogue import MeasureReport, known_keys, measure_all
 from vfcore.params import Simulation
@@ -36,10 +38,11 @@ def run_points(
 ) -> Iterator[Point]:
     """Run the requests and yield one Point each, in their order.
 
-    ``measures``: the keys wanted, None for all of the catalogue. ``precision``: "float64" or "float32" of the march.
-    A point is the same, bit for bit, whatever points run beside it. ``stop()`` is asked between chunks of voice;
-    Cancelled is raised when it answers true. Any other error belongs to its point and leaves the others alone.
-    Raises ParameterError for an unknown measure or precision.
+    ``measures``: the keys wanted, None for all of the catalogue. ``precision``: "float64" or "float32" of the march;
+    points with two-way coupling march one by one, in double precision. A point is the same, bit for bit, whatever
+    points run beside it. ``stop()`` is asked between chunks of voice; Cancelled is raised when it answers true. Any
+    other error belongs to its point and leaves the others alone. Raises ParameterError for an unknown measure or
+    precision.
     """
     if precision not in PRECISIONS:
         raise ParameterError("precision", f"{precision!r} is not known", " | ".join(PRECISIONS))
@@ -67,7 +70,10 @@ def _points(requests, stop, keys, single_precision) -> Iterator[Point]:
             try:
                 if isinstance(found, VocalisError):
                     raise found
-                motions[place] = _motion(request, found)
+                if request.model.coupling == "one_way":
+                    motions[place] = _motion(request, found)
+                else:
+                    done[place] = _reduced(request, block[place][1][0], found, _coupled(request, found, stop), keys)
             except VocalisError as error:
                 done[place] = Point(None, None, error)
         places, following = list(motions), 0
@@ -86,6 +92,19 @@ def _motion(request: Simulation, fold: Fold) -> Motion:
     start = static_shape_of(fold) if run.start == "static" else None
     step_s = time_step_s(run, fold)
     return Motion(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+
+
+def _coupled(request: Simulation, fold: Fold, stop) -> Outcome:
+    """A fold coupled to its airways marches alone, and in double precision: each has its own tract in the loop."""
+    motion = _motion(request, fold)
+    beside = airways_of(request, motion.time_step_s)
+    march = March(fold, motion.time_step_s, motion.pressure_pa, motion.rise_s, beside)
+    march.start_flat() if motion.start is None else march.start_static(motion.start)
+    try:
+        record = march.run(round(motion.duration_s / motion.sample_s), None, stop)
+    except DivergenceError as error:
+        return Outcome(None, motion.sample_s, error)
+    return Outcome(record, motion.sample_s, None)
 
 
 def _reduced(request: Simulation, posture: PostureSolution, fold: Fold, outcome: Outcome, keys) -> Point:

@@ -10,6 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from vfcore import assemble
+from vfcore.acoustics.airways import Airways
 from vfcore.errors import Cancelled, DivergenceError
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import RECORD
@@ -31,7 +32,10 @@ class March:
     ``record_every`` steps make one recorded sample, so that the record comes at about 35 kHz for any step.
     """
 
-    def __init__(self, fold: assemble.Fold, time_step_s: float, pressure_pa: float, rise_s: float = 0.0):
+    def __init__(
+        self, fold: assemble.Fold, time_step_s: float, pressure_pa: float, rise_s: float = 0.0,
+        airways: Airways | None = None,
+    ):  # fmt: skip
         self.fold = fold
         self.time_step_s = time_step_s
         self.pressure_pa, self.rise_s = pressure_pa, rise_s
@@ -40,8 +44,9 @@ class March:
         self._w = assemble.membrane(self.buffer, fold)
         self.scalars = assemble.scalars(fold, time_step_s)
         self.steps = 0
+        self.air = airways.new_buffer(pressure_pa) if airways else None
         self._advance = step_kernel(fold.nx, fold.ny, fold.rotation)
-        self._checkpoints: deque[tuple[int, np.ndarray]] = deque(maxlen=CHECKPOINTS)
+        self._checkpoints: deque[tuple[int, np.ndarray, np.ndarray | None]] = deque(maxlen=CHECKPOINTS)
 
     def start_flat(self) -> None:
         """w = 1 nm · sin(πx/L) sin(πy/b), everything else at rest."""
@@ -82,19 +87,20 @@ class March:
         return record
 
     def _chunk(self, record: np.ndarray) -> None:
-        before = self.buffer.copy()
-        self._checkpoints.append((self.steps, before))
+        before, air = self.buffer.copy(), _copied(self.air)
+        self._checkpoints.append((self.steps, before, air))
         steps = np.arange(self.steps, self.steps + len(record) * self.record_every)
-        self._advance(self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record.reshape(-1))
+        pressure = self.pressure_at(steps)
+        self._advance(self.buffer, self.scalars, pressure, self.record_every, record.reshape(-1), self.air)
         self.steps += len(steps)
         w = self._w
         if not (w.max() < LARGEST_DISPLACEMENT_M and w.min() > -LARGEST_DISPLACEMENT_M):  # false for NaN
-            self._locate_divergence(before, steps)
+            self._locate_divergence(before.copy(), _copied(air), steps)
 
-    def _locate_divergence(self, buffer: np.ndarray, steps: np.ndarray) -> None:
+    def _locate_divergence(self, buffer: np.ndarray, air: np.ndarray | None, steps: np.ndarray) -> None:
         scratch = np.empty(len(RECORD))
         for step in steps:
-            self._advance(buffer, self.scalars, self.pressure_at(np.array([step])), 1, scratch)
+            self._advance(buffer, self.scalars, self.pressure_at(np.array([step])), 1, scratch, air)
             beyond = ~(np.abs(assemble.membrane(buffer, self.fold)) < LARGEST_DISPLACEMENT_M)
             if beyond.any():
                 raise diverged(self.fold, self.time_step_s, step, beyond)
@@ -108,8 +114,8 @@ class March:
         fold, k = self.fold, self.fold.constants
         wanted = np.linspace(first_sample, last_sample, phases, endpoint=False) * self.record_every
         wanted = np.round(wanted).astype(int)
-        at, buffer = next(item for item in reversed(self._checkpoints) if item[0] <= wanted[0])
-        buffer = buffer.copy()
+        at, buffer, air = next(item for item in reversed(self._checkpoints) if item[0] <= wanted[0])
+        buffer, air = buffer.copy(), _copied(air)
         w, velocity = (assemble.membrane(buffer, fold, name) for name in ("w", "v_star"))
         beam = assemble.beam(buffer, fold)
         shape = (phases, fold.ny, fold.nx)
@@ -119,11 +125,11 @@ class March:
         for phase, step in enumerate(wanted):
             if step > at:
                 steps = np.arange(at, step)
-                self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch)
+                self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch, air)
                 at = step
             w_m[phase], w_b[phase] = w, beam
             surface_pressures(
-                w_m[phase], velocity, fold.medial_plane_m, self.pressure_at(np.array([step]))[0], fold.dy,
+                w_m[phase], velocity, fold.medial_plane_m, *self._around_the_glottis(buffer, air, step), fold.dy,
                 k.alpha_s, 0.5 * k.rho_a_kg_m3, 12.0 * k.mu_a_pa_s, k.K_col_pa_m, k.C_col_pa_s_m,
                 p_aero[phase], p_col[phase],
             )  # fmt: skip
@@ -135,10 +141,20 @@ class March:
             "cycle_contact_pressure_pa": p_col.transpose(0, 2, 1),
         }
 
+    def _around_the_glottis(self, buffer: np.ndarray, air: np.ndarray | None, step: int) -> tuple[float, float]:
+        """Pressure at inlet and outlet, Pa, that the step from this state on would use; the state stays."""
+        record = np.empty(len(RECORD))
+        self._advance(buffer.copy(), self.scalars, self.pressure_at(np.array([step])), 1, record, _copied(air))
+        return record[RECORD.index("inlet_pressure_pa")], record[RECORD.index("outlet_pressure_pa")]
+
     @property
     def oldest_sample(self) -> int:
         """The first recorded sample that ``cycle`` can still read back."""
         return -(-self._checkpoints[0][0] // self.record_every)
+
+
+def _copied(air: np.ndarray | None) -> np.ndarray | None:
+    return None if air is None else air.copy()
 
 
 def record_every(time_step_s: float) -> int:

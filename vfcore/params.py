@@ -4,12 +4,13 @@ The defaults are the paper's modal case. Names are those of the JSON request, so
 ``Simulation`` and a request document say the same thing field by field.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from vfcore.constants import FoldConstants
 from vfcore.errors import ParameterError
 from vfcore.fields import PAPER, check_number, choice, flag, quantity, validate
 from vfcore.posture.tables import POSTURE_SETS, PosturingConstants, posture_set
+from vfcore.variants import VARIANTS, ModelVariant
 
 VOWELS = ("i", "I", "e", "E", "AE", "V", "a", "O", "o", "U", "u")
 SECTION_TRAVEL_S = 0.0025 / 350.0  # one 0.25 cm tract section at the paper's speed of sound
@@ -65,29 +66,9 @@ class PostureOverride:
         validate(self, "posture.")
 
 
-@dataclass(frozen=True, slots=True)
-class ModelVariant:
-    """The named choices that a variant stands for."""
-
-    posture_set: str
-    coupling_gradient: str
-    shear: str
-    help: str
-
-
-VARIANTS = {
-    "paper": ModelVariant(
-        "serry2026", "inferior_stiff", "kelvin_voigt",
-        "The paper's numbers: Kelvin–Voigt membrane, coupling stiffest at the inferior edge.",
-    ),
-    "text_literal": ModelVariant(
-        "serry2026", "superior_stiff", "rotation",
-        "The paper's text to the letter: rotation equation, coupling stiffest at the superior edge.",
-    ),
-}  # fmt: skip
-
 COUPLING_GRADIENTS = ("inferior_stiff", "superior_stiff")
 SHEAR_FORMS = ("kelvin_voigt", "rotation")
+COUPLINGS = ("one_way", "two_way")
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +83,10 @@ class Model:
         None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model.md"
     )
     shear: str | None = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model.md")
-    coupling: str = choice("one_way", "source–tract coupling", ("one_way",), source=f"{PAPER}, Acoustic output")
+    coupling: str = choice(
+        "one_way", "source–tract coupling", COUPLINGS, source=f"{PAPER}, Acoustic output; two_way: Titze (2008)",
+        help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds",
+    )  # fmt: skip
 
     def __post_init__(self):
         validate(self, "model.")
@@ -110,11 +94,11 @@ class Model:
     def resolved(self) -> ModelVariant:
         """The choices in force, with overrides applied."""
         base = VARIANTS[self.variant]
-        return ModelVariant(
-            self.posture_set or base.posture_set,
-            self.coupling_gradient or base.coupling_gradient,
-            self.shear or base.shear,
-            base.help,
+        return replace(
+            base,
+            posture_set=self.posture_set or base.posture_set,
+            coupling_gradient=self.coupling_gradient or base.coupling_gradient,
+            shear=self.shear or base.shear,
         )
 
 
@@ -162,7 +146,10 @@ STEP_LIMITS_S = (1e-8, 1e-3)
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """One run of the adult male larynx of the paper; every field has the modal case's value."""
+    """One run; every field has the value of the paper's modal case.
+
+    ``constants`` and ``posturing``: None stands for those of the model variant.
+    """
 
     activation: Activation = field(default_factory=Activation)
     subglottal_pressure_pa: float = quantity(
@@ -178,11 +165,13 @@ class Simulation:
     model: Model = field(default_factory=Model)
     posture: PostureOverride | None = None
     run: Run = field(default_factory=Run)
-    constants: FoldConstants = field(default_factory=FoldConstants)
+    constants: FoldConstants | None = None
     posturing: PosturingConstants | None = None
 
     def __post_init__(self):
         validate(self)
+        if self.constants is None:
+            object.__setattr__(self, "constants", self.model.resolved().constants())
         if self.posturing is None:
             object.__setattr__(self, "posturing", posture_set(self.model.resolved().posture_set))
         if self.run.pressure_rise_s > self.run.duration_s:

@@ -13,6 +13,7 @@ from vfcore.constants import FoldConstants
 from vfcore.errors import ParameterError
 from vfcore.params import Activation, Model, PostureOverride, Run, Simulation
 from vfcore.posture.tables import PosturingConstants, constant_names, posture_set
+from vfcore.variants import ModelVariant
 
 FOLD_NAMES = tuple(field.name for field in dataclasses.fields(FoldConstants))
 _TOP = (
@@ -35,8 +36,8 @@ def simulation_from_dict(document: Mapping[str, Any]) -> Simulation:
     if document.get("kind", "simulation") != "simulation":
         raise ParameterError("kind", f"{document['kind']!r} is not a simulation", "simulation")
     model = _part(Model, document, "model")
-    posturing = posture_set(model.resolved().posture_set)
-    fold, posturing = _constants(document.get("constants"), posturing)
+    variant = model.resolved()
+    fold, posturing = _constants(document.get("constants"), variant, posture_set(variant.posture_set))
     values: dict[str, Any] = {
         "activation": _part(Activation, document, "activation"),
         "model": model,
@@ -65,7 +66,7 @@ def simulation_to_dict(request: Simulation) -> dict[str, Any]:
 
 
 def _overrides(request: Simulation) -> dict[str, float]:
-    default = FoldConstants()
+    default = request.model.resolved().constants()
     changed = {
         name: getattr(request.constants, name)
         for name in FOLD_NAMES
@@ -80,7 +81,9 @@ def _overrides(request: Simulation) -> dict[str, float]:
     return changed
 
 
-def _constants(overrides, posturing: PosturingConstants) -> tuple[FoldConstants, PosturingConstants]:
+def _constants(
+    overrides, variant: ModelVariant, posturing: PosturingConstants
+) -> tuple[FoldConstants, PosturingConstants]:
     fold: dict[str, float] = {}
     muscles: dict[str, float] = {}
     names = constant_names()
@@ -95,7 +98,7 @@ def _constants(overrides, posturing: PosturingConstants) -> tuple[FoldConstants,
                 "is not a constant of the model",
                 "the names listed by `vocalis posture --constants` and by GET /api/v1/parameters",
             )
-    return FoldConstants(**fold), posturing.override_all(muscles)
+    return variant.constants(**fold), posturing.override_all(muscles)
 
 
 def _part(kind, document: Mapping[str, Any], key: str):

@@ -31,6 +31,8 @@ ARRAYS: dict[str, ArraySpec] = {
     "contact_pressure_max_pa": ArraySpec("Pa", ("time",), "largest contact pressure"),
     "contact_location": ArraySpec("1", ("time",), "x/L of the largest contact pressure (NaN: no contact)"),
     "contact_area_m2": ArraySpec("m2", ("time",), "area of the medial surface in contact"),
+    "inlet_pressure_pa": ArraySpec("Pa", ("time",), "pressure just below the glottis"),
+    "outlet_pressure_pa": ArraySpec("Pa", ("time",), "pressure just above the glottis"),
     "x_m": ArraySpec("m", ("x",), "longitudinal coordinate, 0 anterior"),
     "y_m": ArraySpec("m", ("y",), "inferior-superior coordinate, 0 superior"),
     "medial_plane_m": ArraySpec("m", ("x", "y"), "medial plane G in the fold frame"),

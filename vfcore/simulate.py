@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfcore.acoustics.airways import airways_of, tract_of
 from vfcore.acoustics.impulse_response import radiate
-from vfcore.acoustics.tract import Tract, vowel_tract
 from vfcore.assemble import Fold, assemble
 from vfcore.error_estimate import REFINEMENTS, Level, companion_step_s, companions, richardson, without_bars
 from vfcore.errors import DivergenceError
@@ -100,7 +100,9 @@ def simulate(
 def _run(request: Simulation, progress, stop, ready: Prepared, step_s: float | None = None) -> SimulationResult:
     """One run, with the time step ``step_s`` or the request's own."""
     fold, run = ready.fold, request.run
-    march = March(fold, step_s or time_step_s(run, fold), request.subglottal_pressure_pa, run.pressure_rise_s)
+    step_s = step_s or time_step_s(run, fold)
+    beside = airways_of(request, step_s)
+    march = March(fold, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, beside)
     march.start_static(ready.static) if run.start == "static" else march.start_flat()
     sample_s = march.time_step_s * march.record_every
     samples = round(run.duration_s / sample_s)
@@ -173,13 +175,15 @@ def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndar
         "contact_pressure_max_pa": column["contact_pressure_max_pa"],
         "contact_location": contact_location(record, nx),
         "contact_area_m2": column["contact_area_m2"],
+        "inlet_pressure_pa": column["inlet_pressure_pa"],
+        "outlet_pressure_pa": column["outlet_pressure_pa"],
     }
 
 
 def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
     """Sound of a run where it is measured, its last half: the whole sound bit for bit, and 0 before."""
     start = window_start(len(flow_m3_s))
-    heard = radiate(flow_m3_s, sample_s, _tract(request), first=start, mouth_flow=False)
+    heard = radiate(flow_m3_s, sample_s, tract_of(request), first=start, mouth_flow=False)
     silence = np.zeros(start)
     return Sound(np.concatenate((silence, heard.lip_pressure_pa)), np.concatenate((silence, heard.far_pressure_pa)))
 
@@ -187,13 +191,9 @@ def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) 
 def _whole_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
     start = window_start(len(flow_m3_s))
     sound = measured_sound(request, flow_m3_s, sample_s)
-    before = radiate(flow_m3_s[:start], sample_s, _tract(request), mouth_flow=False)
+    before = radiate(flow_m3_s[:start], sample_s, tract_of(request), mouth_flow=False)
     sound.lip_pressure_pa[:start], sound.far_pressure_pa[:start] = before.lip_pressure_pa, before.far_pressure_pa
     return sound
-
-
-def _tract(request: Simulation) -> Tract:
-    return vowel_tract(request.vowel, request.constants.rho_a_kg_m3, request.constants.c_a_m_s)
 
 
 def signals_of(

@@ -3,7 +3,7 @@ import { html, useComputed } from "../ui.js";
 import { copyText } from "../copy.js";
 import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
 import { section, setSection } from "../state/paper.js";
-import { choosePreset, preset, schema, setValue, values } from "../state/request.js";
+import { choosePreset, chooseVariant, preset, schema, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
 import { APP, TOP, VARIANT_NAMES } from "../texts.js";
 import { KEEP } from "../texts-views.js";
@@ -49,7 +49,7 @@ export function Variants() {
   return html`
     <label class="pick variant">
       <span>${TOP.variant}</span>
-      <select value=${chosen} onChange=${(event) => setValue("model.variant", event.target.value)}>
+      <select value=${chosen} onChange=${(event) => chooseVariant(event.target.value)}>
         ${schema.value.variants.map(({ key, help }) => html`<option value=${key} title=${help}>${VARIANT_NAMES[key] ?? key}</option>`)}
       </select>
     </label>

@@ -56,6 +56,12 @@ export function restoreValues(next) {
   lastPath = ""; // two in a row are two movements
 }
 
+/** A variant comes with the source–tract coupling it is meant with; the coupling can be changed afterwards. */
+export function chooseVariant(key) {
+  const { meant_with: coupling } = _schema.value.variants.find((row) => row.key === key);
+  change({ ..._values.value, "model.variant": key, "model.coupling": coupling }, "model.variant");
+}
+
 /** The whole of a request document, with defaults for what it does not name; what the page does not set is left out. */
 export function takeRequest(document) {
   const known = Object.entries(flatten(document)).filter(([path]) => _schema.value.parameters.has(path));

@@ -24,7 +24,7 @@ def pressures(gaps, pressure_pa=P_S, mu=MU, alpha_s=ALPHA_S):
     p_aero, p_col = np.full((2, *G.shape), np.nan)
     dy = THICKNESS_M / (len(gaps) - 1)
     still = np.zeros_like(G)
-    surface_pressures(still, still, G, pressure_pa, dy, alpha_s, RHO / 2, 12 * mu, 1e6, 100.0, p_aero, p_col)
+    surface_pressures(still, still, G, pressure_pa, 0.0, dy, alpha_s, RHO / 2, 12 * mu, 1e6, 100.0, p_aero, p_col)
     return p_aero[:, 0]
 
 

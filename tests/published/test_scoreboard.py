@@ -7,14 +7,13 @@ from functools import cache
 import pytest
 
 from tests.support.inline_pool import InlinePool
-from vfcore.params import VARIANTS
 from vfcore.version import MODEL_VERSION
 from vocalis_paper import CASES, CLAIMS
 from vocalis_paper.convergence import last_changes
 from vocalis_paper.report_ship import CONVERGENCE, PAGE, SCOREBOARD, STUDY, pages, shipped
 from vocalis_paper.report_text import filled
 from vocalis_paper.run import workers
-from vocalis_paper.run_document import score_variant
+from vocalis_paper.run_document import READINGS, score_variant
 from vocalis_paper.run_score import definitions_hash
 from vocalis_paper.study import changes
 
@@ -48,14 +47,14 @@ def test_what_held_with_a_difference_holds_still(key):
     assert outcome.verdict != "fail", outcome.sentence
 
 
-@pytest.mark.parametrize("variant", VARIANTS)
+@pytest.mark.parametrize("variant", READINGS)
 def test_the_shipped_verdicts_are_those_of_the_model(variant):
     shown = printed(variant)
     assert {key: str(one.verdict) for key, one in quick(variant).items()} == {key: shown[key] for key in QUICK}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("variant", VARIANTS)
+@pytest.mark.parametrize("variant", READINGS)
 def test_the_shipped_verdicts_on_maps_and_sweeps_are_those_of_the_model(variant):
     with workers(os.cpu_count() or 1) as pool:
         scored = score_variant(variant, pool, {key: CLAIMS[key] for key in MANY_RUNS})
@@ -77,7 +76,7 @@ def test_shipped_results_are_of_this_model_and_these_definitions(path):
     assert made["definitions_sha256"] == definitions_hash(), AGAIN
 
 
-@pytest.mark.parametrize("variant", VARIANTS)
+@pytest.mark.parametrize("variant", READINGS)
 def test_every_shipped_run_is_accounted_for(variant):
     one = shipped(SCOREBOARD)["variants"][variant]
     assert sum(one["states"]["ct_ta_map"].values()) == len(CASES["ct_ta_map"].requests())

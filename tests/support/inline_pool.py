@@ -4,7 +4,7 @@ from concurrent.futures import Future
 
 
 class InlinePool:
-    """``submit`` as of an executor."""
+    """``submit`` and ``map`` as of an executor."""
 
     def __init__(self):
         self.calls = 0
@@ -14,3 +14,6 @@ class InlinePool:
         future = Future()
         future.set_result(call(*arguments))
         return future
+
+    def map(self, call, *arguments, chunksize: int = 1):
+        return [self.submit(call, *row).result() for row in zip(*arguments, strict=True)]

@@ -9,6 +9,8 @@ import vfcore
 from vfcore.batch import run_points, static_shapes
 from vfcore.errors import Cancelled, ParameterError, StabilityError
 from vfcore.measures import CATALOGUE
+from vfcore.request import simulation_from_dict
+from vfcore.simulate import simulate
 
 COUNTS_SAMPLES = {"contact_quotient"}  # not interpolated: rounding may move it by one sample
 
@@ -89,3 +91,12 @@ def test_static_shapes_of_many_are_those_of_one():
         expected = vfcore.static_shape(request)
         assert np.array_equal(found.static.w_m, expected.w_m)
         assert found.static.closure == expected.closure
+
+
+def test_a_point_with_two_way_coupling_is_the_run_itself_among_others():
+    document = {"subglottal_pressure_pa": 700, "run": {"duration_s": 0.2}, "model": {"variant": "human"}}
+    coupled = simulation_from_dict(document | {"model": {"variant": "human", "coupling": "two_way"}})
+    alone = simulate(coupled).report
+    first, second, third = run_points([simulation_from_dict(document), coupled, simulation_from_dict(document)])
+    assert second.report.measures == alone.measures
+    assert first.report.measures == third.report.measures != alone.measures

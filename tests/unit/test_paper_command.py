@@ -10,7 +10,7 @@ from vocalis_paper import CLAIMS
 from vocalis_paper.report_ship import CONVERGENCE, shipped
 
 REFUSED = [
-    ("--variant mine", "--variant", "paper | text_literal | both"),
+    ("--variant mine", "--variant", "paper | text_literal | human | human_female | both"),
     ("--only X9", "X9 is no claim", "S1, S2"),
     ("--only ,", "names no claim", "S1, S2"),
     ("--html /no/such/folder/r.html", "--html", "existing folder"),

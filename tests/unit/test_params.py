@@ -115,7 +115,7 @@ def test_the_steps_are_whole_travels_through_a_tract_section():
         (lambda: Model(shear="none"), "shear", SHEAR_FORMS),
         (lambda: Model(coupling_gradient="flat"), "coupling_gradient", COUPLING_GRADIENTS),
         (lambda: Model(posture_set="mine"), "posture_set", POSTURE_SETS),
-        (lambda: Model(coupling="three_way"), "coupling", ("one_way",)),
+        (lambda: Model(coupling="three_way"), "coupling", ("one_way", "two_way")),
         (lambda: Run(start="warm"), "start", ("flat", "static")),
         (lambda: Simulation(vowel="y"), "vowel", VOWELS),
     ],

@@ -1,7 +1,7 @@
 """Vocal tract area functions of Story (2008): cross-sections from the glottis to the lips, one per vowel."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib.resources import files
 
@@ -45,6 +45,14 @@ def area_function(vowel: str) -> AreaFunction:
     entry = stored["vowels"][_STORED_NAME[vowel]]
     areas = tuple(area * _CM2 for area in entry["areas_cm2"])
     return AreaFunction(entry["section_length_m"], areas, stored["source"], entry["ipa"])
+
+
+def scaled(function: AreaFunction, scale: float) -> AreaFunction:
+    """The tract with all lengths and diameters times ``scale``; the same tract for 1."""
+    if scale == 1.0:
+        return function
+    areas = tuple(area * scale**2 for area in function.areas_m2)
+    return replace(function, section_length_m=function.section_length_m * scale, areas_m2=areas)
 
 
 def resampled(function: AreaFunction, section_length_m: float = SECTION_LENGTH_M) -> AreaFunction:

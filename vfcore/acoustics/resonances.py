@@ -36,20 +36,37 @@ class Formants(NamedTuple):
 
 def transfer_function(tract: Tract, freqs_hz: np.ndarray) -> TransferFunction:
     """Lip pressure and mouth flow per glottal flow, glottis closed, at ``freqs_hz`` (any shape, Hz)."""
+    end, _, flow = _at_the_glottis(tract, freqs_hz)
+    return TransferFunction(end / flow, 1 / flow)
+
+
+def input_impedance(tract: Tract, freqs_hz: np.ndarray) -> np.ndarray:
+    """Pressure per flow at the glottal end of the tract, Pa·s/m³, complex; ``freqs_hz`` of any shape, Hz."""
+    _, pressure, flow = _at_the_glottis(tract, freqs_hz)
+    return pressure / flow
+
+
+def _at_the_glottis(tract: Tract, freqs_hz: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Impedance of the far end; pressure and flow at the glottis for unit flow through that end."""
     phase = 2 * np.pi * np.asarray(freqs_hz, dtype=np.float64) * tract.section_travel_s
-    if tract.radiation == "open":
-        pressure = np.zeros(phase.shape, dtype=complex)
-    else:
-        resistance, inertance = tract.radiation_resistance_inertance
-        reactance = 1j * (2 / tract.section_travel_s) * np.tan(phase / 2) * inertance
-        pressure = reactance * resistance / (reactance + resistance)
-    radiation = pressure
-    flow = np.ones(phase.shape, dtype=complex)
+    end = _end_impedance(tract, phase)
+    pressure, flow = end, np.ones(phase.shape, dtype=complex)
     for impedance, transmission in zip(tract.impedance_pa_s_m3[::-1], tract.transmission[::-1], strict=True):
         propagation = 1j * phase - np.log(transmission)
         cosh, sinh = np.cosh(propagation), np.sinh(propagation)
         pressure, flow = cosh * pressure + impedance * sinh * flow, sinh / impedance * pressure + cosh * flow
-    return TransferFunction(radiation / flow, 1 / flow)
+    return end, pressure, flow
+
+
+def _end_impedance(tract: Tract, phase: np.ndarray) -> np.ndarray:
+    if tract.radiation == "open":
+        return np.zeros(phase.shape, dtype=complex)
+    if tract.radiation == "lungs":
+        reflection = tract.lip_reflection[0]
+        return np.full(phase.shape, tract.impedance_pa_s_m3[-1] * (1 + reflection) / (1 - reflection), dtype=complex)
+    resistance, inertance = tract.radiation_resistance_inertance
+    reactance = 1j * (2 / tract.section_travel_s) * np.tan(phase / 2) * inertance
+    return reactance * resistance / (reactance + resistance)
 
 
 def _step_matrix(tract: Tract) -> np.ndarray:

@@ -22,14 +22,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfcore.acoustics.area_functions import SECTION_LENGTH_M, SECTION_LIMITS_M, area_function, resampled
+from vfcore.acoustics.area_functions import SECTION_LENGTH_M, SECTION_LIMITS_M, area_function, resampled, scaled
 from vfcore.constants import FoldConstants
 from vfcore.errors import ParameterError
 from vfcore.fields import check_number
 from vfcore.kernels.tract import FINITE, advance_tract
 
 ATTENUATION = 3.8e-3  # dimensionless; Titze (2006), section 6.4, as used with Alzamendi et al. (2022)
-RADIATIONS = ("piston", "open")
+RADIATIONS = ("piston", "open", "lungs")
+LUNG_REFLECTION = -0.8  # Story & Titze (1995), as in their later simulations
 AREA_LIMITS_M2 = (1e-7, 1e-1)
 SECTION_COUNT_LIMITS = (4, 2000)
 _AIR = FoldConstants()
@@ -46,7 +47,8 @@ class LipOutput(NamedTuple):
 class Tract:
     """Tubes of equal length from the glottis to the lips, in SI units.
 
-    ``radiation``: "piston" (the docstring above) or "open" (ideal open end, zero lip pressure).
+    ``radiation``: what ends it: "piston" (the docstring above), "open" (ideal open end, zero lip pressure) or "lungs"
+    (a resistance, for the airway below the glottis).
     ``attenuation``: loss per tube and crossing is ``attenuation`` × section length / √area. ParameterError for
     values outside the limits of this module.
     """
@@ -66,7 +68,7 @@ class Tract:
         check_number("tract.section_length_m", self.section_length_m, *SECTION_LIMITS_M, "m")
         check_number("tract.density_kg_m3", self.density_kg_m3, 0.1, 10, "kg/m³")
         check_number("tract.sound_speed_m_s", self.sound_speed_m_s, 100, 1500, "m/s")
-        check_number("tract.attenuation", self.attenuation, 0, 1e-2)
+        check_number("tract.attenuation", self.attenuation, 0, 2e-2)
         if self.radiation not in RADIATIONS:
             raise ParameterError("tract.radiation", f"{self.radiation!r} is not known", " | ".join(RADIATIONS))
 
@@ -103,6 +105,8 @@ class Tract:
         """β_0, β_1, a_1 of the lip reflection filter."""
         if self.radiation == "open":
             return np.array([-1.0, 0.0, 0.0])
+        if self.radiation == "lungs":
+            return np.array([LUNG_REFLECTION, 0.0, 0.0])
         resistance, inertance = self.radiation_resistance_inertance
         reactance = 2 * inertance / self.section_travel_s
         gamma, kappa = reactance / self.impedance_pa_s_m3[-1], reactance / resistance
@@ -111,10 +115,14 @@ class Tract:
 
 @lru_cache(maxsize=64)
 def vowel_tract(
-    vowel: str, density_kg_m3: float = _AIR.rho_a_kg_m3, sound_speed_m_s: float = _AIR.c_a_m_s
+    vowel: str, density_kg_m3: float = _AIR.rho_a_kg_m3, sound_speed_m_s: float = _AIR.c_a_m_s,
+    section_length_m: float = SECTION_LENGTH_M, scale: float = 1.0,
 ) -> Tract:  # fmt: skip
-    """The tract of one of ``vfcore.params.VOWELS`` in 0.25 cm sections, with piston radiation."""
-    function = resampled(area_function(vowel))
+    """The tract of one of ``vfcore.params.VOWELS`` in equal sections, with piston radiation.
+
+    ``scale``: all lengths and diameters over the published ones.
+    """
+    function = resampled(scaled(area_function(vowel), scale), section_length_m)
     return Tract(function.areas_m2, function.section_length_m, density_kg_m3, sound_speed_m_s)
 
 

@@ -30,6 +30,7 @@ class GlidingFold:
         self.steps = 0
         self._buffer, self._scalars = march.buffer, march.scalars
         self._advance = step_kernel(self.fold.nx, self.fold.ny, self.fold.rotation)
+        self._air = None if march.air is None else march.air.copy()
         self._rest = assemble.new_buffer(self.fold, self.time_step_s)
         self.seen = self.shape()
 
@@ -42,9 +43,9 @@ class GlidingFold:
         record = np.empty((steps, len(RECORD)))
         pressure = np.linspace(self.pressure_pa, pressure_pa, steps, endpoint=False)
         if to is self.fold:
-            self._advance(self._buffer, self._scalars, pressure[:look_at], 1, record[:look_at].reshape(-1))
+            self._advance(self._buffer, self._scalars, pressure[:look_at], 1, record[:look_at].reshape(-1), self._air)
             self._look(look_at, look_at)
-            self._advance(self._buffer, self._scalars, pressure[look_at:], 1, record[look_at:].reshape(-1))
+            self._advance(self._buffer, self._scalars, pressure[look_at:], 1, record[look_at:].reshape(-1), self._air)
         else:
             self._glide(to, pressure, record, look_at)
         self.fold, self.pressure_pa = to, pressure_pa
@@ -73,7 +74,7 @@ class GlidingFold:
             part = 0.5 * (begin + end) / steps
             self._buffer[places] = origin + part * way
             scalars = scalars_from + part * (scalars_to - scalars_from)
-            self._advance(self._buffer, scalars, pressure[begin:end], 1, record[begin:end].reshape(-1))
+            self._advance(self._buffer, scalars, pressure[begin:end], 1, record[begin:end].reshape(-1), self._air)
             self._look(end, look_at)
         self._buffer[places] = rest_to[places]
         self._rest, self._scalars = rest_to, scalars_to

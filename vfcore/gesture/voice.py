@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfcore.acoustics.tract import vowel_tract
+from vfcore.acoustics.airways import airways_of, tract_of
 from vfcore.assemble import Fold
 from vfcore.errors import ParameterError
 from vfcore.gesture.glide import GlidingFold
@@ -44,7 +44,8 @@ class Voice:
         ready = prepare(start)
         if start.run.time_step_s is not None:
             raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
-        march = March(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa)
+        beside = airways_of(start, DEFAULT_STEP_S)  # those of the first vowel: what loads the folds does not glide
+        march = March(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=beside)
         march.start_static(ready.static) if start.run.start == "static" else march.start_flat()
         self.request, self.posture = start, ready.posture
         self._check(ready.fold)
@@ -99,7 +100,7 @@ class Voice:
 
     @staticmethod
     def _tract(request: Simulation):
-        return vowel_tract(request.vowel, request.constants.rho_a_kg_m3, request.constants.c_a_m_s)
+        return tract_of(request)
 
 
 def _same_fold(a: Simulation, b: Simulation) -> bool:

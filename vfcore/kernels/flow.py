@@ -63,16 +63,22 @@ def viscous_segment(cube_0, cube_1, half_dy):
 
 
 @jit
+def size(x):
+    """|x|."""
+    return maximum(x, 0.0 - x)
+
+
+@jit
 def slice_flux(P_s, viscous_integral, d_sep, d_min, half_rho_a, twelve_mu_a):
-    """Flow per unit width q, m²/s; 0 in a closed slice."""
+    """Flow per unit width q, m²/s, under the drop ``P_s`` from inlet to outlet; odd in it, and 0 in a closed slice."""
     r = reciprocal(d_sep)
     A = half_rho_a * r * r
     B = twelve_mu_a * viscous_integral
-    q = 2.0 * P_s / (B + square_root(B * B + 4.0 * A * P_s) + 1e-30)
+    q = 2.0 * P_s / (B + square_root(B * B + 4.0 * A * size(P_s)) + 1e-30)
     return where(d_min > 0.0, q, 0.0)
 
 
 @jit
 def pressure(P_s, q, r, viscous_integral, half_rho_a, twelve_mu_a):
-    """p_aero at an attached node, Pa."""
-    return P_s - half_rho_a * q * q * r * r - twelve_mu_a * q * viscous_integral
+    """p_aero at an attached node, Pa, with ``P_s`` at the inlet."""
+    return P_s - half_rho_a * q * size(q) * r * r - twelve_mu_a * q * viscous_integral

@@ -23,26 +23,34 @@ trapezoid rule in area and flow.
 import math
 from functools import lru_cache
 
-from vfcore.kernels import contact, flow, membrane
+from vfcore.kernels import airways, contact, flow, membrane
 from vfcore.kernels.jit import jit
-from vfcore.kernels.lanes import each, lane, load, maximum, minimum, spread, store, total, where
-from vfcore.kernels.layout import LANES, Layout
+from vfcore.kernels.lanes import each, lane, load, maximum, minimum, spread, square_root, store, total, where
+from vfcore.kernels.layout import LANES, RECORD, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
 gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
 cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, flow.slice_flux, flow.pressure
 tension, coupling = membrane.tension, membrane.coupling
 shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
+advance_airways, viscous_share = airways.advance_airways, airways.viscous_share
+DROP, FLOW, INLET, OUTLET, SMALLEST_DROP_PA = (
+    airways.DROP, airways.FLOW, airways.INLET, airways.OUTLET, airways.SMALLEST_DROP_PA,
+)  # fmt: skip
+COLUMNS = len(RECORD)
 
 
 @lru_cache(maxsize=32)
 def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", many: bool = False):
-    """The compiled loop for one grid: ``advance(buf, par, P_s, record_every, record) -> None``.
+    """The compiled loop for one grid: ``advance(buf, par, P_s, record_every, record, air=None)``.
 
     Of one fold, whose columns are the lanes, or of ``many``: LANES[precision] folds, one in each lane. With n of them:
     ``buf`` (Layout.size,); ``par`` (n·len(SCALARS),) layout.SCALARS, n neighbours each; ``P_s`` (n·steps,) lung
-    pressure at each step, Pa; ``record`` (n·5·(steps//record_every),) layout.RECORD at the state before the step, n
-    neighbours each. All flat, of the same precision. Not validated against measurements; verified in tests/physics.
+    pressure at each step, Pa; ``record`` (n·7·(steps//record_every),) layout.RECORD at the state before the step, n
+    neighbours each. All flat, of the same precision.
+    ``air``: buffer of the airways (kernels/airways.py), for two-way coupling of one fold in double precision; the loop
+    is compiled apart for it and sweeps the columns twice, first for their flow. Not validated against measurements;
+    verified in tests/physics.
     """
     W = LANES[precision]
     P = W if many else 1
@@ -57,7 +65,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     BI, WORKED = L.beam_inverse, L.worked
 
     @jit
-    def advance(buf, par, P_s_of, record_every, record):
+    def advance(buf, par, P_s_of, record_every, record, air=None):
         dt, dy, alpha_s = each(par, 0, P, W), each(par, 1, P, W), each(par, 2, P, W)
         half_rho_a, twelve_mu_a, T = each(par, 3, P, W), each(par, 4, P, W), each(par, 5, P, W)
         G_t, eta_t, C_coup = each(par, 6, P, W), each(par, 7, P, W), each(par, 8, P, W)
@@ -69,95 +77,116 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
 
         for n in range(P_s_of.size // P):
             P_s = each(P_s_of, n, P, W)
-            area = flow_rate = contact_area = largest = column = zero
+            inlet, outlet, drop = P_s, 0.0, P_s
+            area = flow_rate = slope = contact_area = largest = column = zero
+            sweeps = 1
+            if air is not None:
+                sweeps, drop = 2, max(abs(air[DROP]), SMALLEST_DROP_PA)
 
-            for i in range(C1, END, W):
-                # flow: gaps, running minimum from the inlet, separation, flux
-                smallest, d_max = far, zero
-                for k in range(ny):
-                    j = ny - 1 - k
-                    d = gap(load(buf, G + j * S + i, W), load(buf, WM + j * S + i, W))
-                    smallest = minimum(d, smallest)
-                    d_max = maximum(d, d_max)
-                    store(buf, M + j * W, smallest)
-                    store(buf, R + j * W, reciprocal(d))
-                d_min = smallest
-                d_sep = separation_gap(d_min, d_max, alpha_s)
-                integral, upstream = zero, far
-                here = cube(load(buf, R + (ny - 1) * W, W))
-                for k in range(ny - 1):
-                    j = ny - 1 - k
-                    running = load(buf, M + j * W, W)
-                    on = attached(running, upstream, d_sep, d_min)
-                    upstream = running
-                    above = cube(load(buf, R + j * W - W, W))
-                    store(buf, I + j * W, integral)
-                    integral = where(on, integral + viscous_segment(here, above, half_dy), integral)
-                    here = above
-                store(buf, I, integral)
-                q = slice_flux(P_s, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
+            for sweep in range(sweeps):
+                for i in range(C1, END, W):
+                    # flow: gaps, running minimum from the inlet, separation, flux
+                    smallest, d_max = far, zero
+                    for k in range(ny):
+                        j = ny - 1 - k
+                        d = gap(load(buf, G + j * S + i, W), load(buf, WM + j * S + i, W))
+                        smallest = minimum(d, smallest)
+                        d_max = maximum(d, d_max)
+                        store(buf, M + j * W, smallest)
+                        store(buf, R + j * W, reciprocal(d))
+                    d_min = smallest
+                    d_sep = separation_gap(d_min, d_max, alpha_s)
+                    integral, upstream = zero, far
+                    here = cube(load(buf, R + (ny - 1) * W, W))
+                    for k in range(ny - 1):
+                        j = ny - 1 - k
+                        running = load(buf, M + j * W, W)
+                        on = attached(running, upstream, d_sep, d_min)
+                        upstream = running
+                        above = cube(load(buf, R + j * W - W, W))
+                        store(buf, I + j * W, integral)
+                        integral = where(on, integral + viscous_segment(here, above, half_dy), integral)
+                        here = above
+                    store(buf, I, integral)
+                    if air is not None and sweep == 0:
+                        r = reciprocal(d_sep)
+                        A, B, width = half_rho_a * r * r, twelve_mu_a * integral, load(buf, WIDTH + i, W)
+                        root = square_root(B * B + 4.0 * A * drop)
+                        flow_rate = flow_rate + where(d_min > 0.0, 2.0 * drop / (B + root + 1e-30) * width, 0.0)
+                        slope = slope + where(d_min > 0.0, width / root, 0.0)
+                        continue
+                    q = slice_flux(drop, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
 
-                # contact and membrane
-                w_b, v_b = load(buf, WB + i, W), load(buf, VBS + i, W)
-                inverse = dt * load(buf, INV + i, W)
-                slice_largest, touched, to_beam, flux_below = zero, zero, zero, zero
-                w, v, upstream = load(buf, WM + (ny - 1) * S + i, W), load(buf, VS + (ny - 1) * S + i, W), far
-                for k in range(ny):
-                    j = ny - 1 - k
-                    o = j * S + i
-                    G_j, r = load(buf, G + o, W), load(buf, R + j * W, W)
-                    running = load(buf, M + j * W, W)
-                    on = attached(running, upstream, d_sep, d_min)
-                    upstream = running
-                    p_aero = where(on, pressure(P_s, q, r, load(buf, I + j * W, W), half_rho_a, twelve_mu_a), 0.0)
-                    p_col = contact_pressure(w, v, G_j, K_col, C_col)
-                    traction = coupling(w, v, w_b, v_b, each(buf, K + j, P, W), C_coup)
-                    weight, per_weight = each(buf, WEIGHT + j, P, W), each(buf, PER_WEIGHT + j, P, W)
-                    slice_largest = maximum(p_col, slice_largest)
-                    touched = where(touching(w, G_j), touched + weight, touched)
-                    to_beam = to_beam + weight * traction
-                    flux, w_next, v_next = zero, w, v
-                    if j > 0:
-                        w_next, v_next = load(buf, WM + o - S, W), load(buf, VS + o - S, W)
-                        if rotation:
-                            h = o - S  # φ on the half node between rows j−1 and j
-                            strain = shear_strain(w_next, w, dy * load(buf, PH + h, W))
-                            rate = shear_strain(v_next, v, dy * load(buf, VPHS + h, W))
-                            d_vphi = dt * per_J * per_dy * shear_flux(strain, rate, G_m, eta_m)
-                            vphi = load(buf, VPH + h, W) + d_vphi
-                            store(buf, VPH + h, vphi)
-                            store(buf, VPHS + h, vphi + 0.5 * d_vphi)
-                            store(buf, PH + h, load(buf, PH + h, W) + dt * vphi)
-                        else:
-                            strain, rate = shear_strain(w_next, w, 0.0), shear_strain(v_next, v, 0.0)
-                        flux = shear_flux(strain, rate, G_t, eta_t)
-                    along = tension(load(buf, WM + o - P, W), w, load(buf, WM + o + P, W), T)
-                    force = along - p_aero - p_col - traction + per_weight * (flux_below - flux)
-                    dv = inverse * force
-                    new = load(buf, V + o, W) + dv
-                    store(buf, V + o, new)
-                    store(buf, VS + o, new + 0.5 * dv)
-                    flux_below, w, v = flux, w_next, v_next
+                    # contact and membrane
+                    w_b, v_b = load(buf, WB + i, W), load(buf, VBS + i, W)
+                    inverse = dt * load(buf, INV + i, W)
+                    slice_largest, touched, to_beam, flux_below = zero, zero, zero, zero
+                    w, v, upstream = load(buf, WM + (ny - 1) * S + i, W), load(buf, VS + (ny - 1) * S + i, W), far
+                    for k in range(ny):
+                        j = ny - 1 - k
+                        o = j * S + i
+                        G_j, r = load(buf, G + o, W), load(buf, R + j * W, W)
+                        running = load(buf, M + j * W, W)
+                        on = attached(running, upstream, d_sep, d_min)
+                        upstream = running
+                        p_attached = pressure(inlet, q, r, load(buf, I + j * W, W), half_rho_a, twelve_mu_a)
+                        p_aero = where(on, p_attached, outlet)
+                        p_col = contact_pressure(w, v, G_j, K_col, C_col)
+                        traction = coupling(w, v, w_b, v_b, each(buf, K + j, P, W), C_coup)
+                        weight, per_weight = each(buf, WEIGHT + j, P, W), each(buf, PER_WEIGHT + j, P, W)
+                        slice_largest = maximum(p_col, slice_largest)
+                        touched = where(touching(w, G_j), touched + weight, touched)
+                        to_beam = to_beam + weight * traction
+                        flux, w_next, v_next = zero, w, v
+                        if j > 0:
+                            w_next, v_next = load(buf, WM + o - S, W), load(buf, VS + o - S, W)
+                            if rotation:
+                                h = o - S  # φ on the half node between rows j−1 and j
+                                strain = shear_strain(w_next, w, dy * load(buf, PH + h, W))
+                                rate = shear_strain(v_next, v, dy * load(buf, VPHS + h, W))
+                                d_vphi = dt * per_J * per_dy * shear_flux(strain, rate, G_m, eta_m)
+                                vphi = load(buf, VPH + h, W) + d_vphi
+                                store(buf, VPH + h, vphi)
+                                store(buf, VPHS + h, vphi + 0.5 * d_vphi)
+                                store(buf, PH + h, load(buf, PH + h, W) + dt * vphi)
+                            else:
+                                strain, rate = shear_strain(w_next, w, 0.0), shear_strain(v_next, v, 0.0)
+                            flux = shear_flux(strain, rate, G_t, eta_t)
+                        along = tension(load(buf, WM + o - P, W), w, load(buf, WM + o + P, W), T)
+                        force = along - p_aero - p_col - traction + per_weight * (flux_below - flux)
+                        dv = inverse * force
+                        new = load(buf, V + o, W) + dv
+                        store(buf, V + o, new)
+                        store(buf, VS + o, new + 0.5 * dv)
+                        flux_below, w, v = flux, w_next, v_next
 
-                # beam: load per mass, ready for the implicit product
-                beam = to_beam * dy - K_foun * w_b - C_foun * v_b
-                store(buf, FB + i, beam * per_rho_l + load(buf, LOAD + i, W) + four_per_dt2 * w_b)
-                width = load(buf, WIDTH + i, W)
-                area = area + d_min * width
-                flow_rate = flow_rate + q * width
-                contact_area = contact_area + touched * width * dy
-                slice_largest = where(load(buf, INV + i, W) > 0.0, slice_largest, 0.0)
-                column = where(slice_largest > largest, load(buf, COLUMN + i, W), column)
-                largest = maximum(slice_largest, largest)
+                    # beam: load per mass, ready for the implicit product
+                    beam = to_beam * dy - K_foun * w_b - C_foun * v_b
+                    store(buf, FB + i, beam * per_rho_l + load(buf, LOAD + i, W) + four_per_dt2 * w_b)
+                    width = load(buf, WIDTH + i, W)
+                    area = area + d_min * width
+                    flow_rate = flow_rate + q * width
+                    contact_area = contact_area + touched * width * dy
+                    slice_largest = where(load(buf, INV + i, W) > 0.0, slice_largest, 0.0)
+                    column = where(slice_largest > largest, load(buf, COLUMN + i, W), column)
+                    largest = maximum(slice_largest, largest)
+                if air is not None and sweep == 0:
+                    passed = total(flow_rate)
+                    share = viscous_share(passed, total(slope), drop)
+                    advance_airways(air, P_s, passed / math.sqrt(drop), share)
+                    inlet, outlet, drop, flow_rate = air[INLET], air[OUTLET], air[DROP], zero
 
             if n % record_every == 0:
-                row = n // record_every * 5
+                row = n // record_every * COLUMNS
                 if P == 1:
                     record[row] = total(area)
                     record[row + 1] = total(flow_rate)
                     record[row + 2] = 0.0
                     record[row + 3] = math.nan
                     record[row + 4] = total(contact_area)
+                    record[row + 5], record[row + 6] = inlet, outlet
+                    if air is not None:
+                        record[row + 1] = air[FLOW]
                     if record[row + 4] > 0.0:
                         for k in range(W):
                             p, c = lane(largest, k), lane(column, k)
@@ -169,6 +198,8 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     store(record, row * W + 2 * W, largest)
                     store(record, row * W + 3 * W, where(largest > 0.0, column, math.nan))
                     store(record, row * W + 4 * W, contact_area)
+                    store(record, row * W + 5 * W, P_s)
+                    store(record, row * W + 6 * W, zero)
 
             # membrane and beam: displacement
             for j in range(ny):

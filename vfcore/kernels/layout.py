@@ -114,4 +114,7 @@ SCALARS = (
 )
 
 # Columns of the record: one row per recorded step.
-RECORD = ("glottal_area_m2", "glottal_flow_m3_s", "contact_pressure_max_pa", "contact_column", "contact_area_m2")
+RECORD = (
+    "glottal_area_m2", "glottal_flow_m3_s", "contact_pressure_max_pa", "contact_column", "contact_area_m2",
+    "inlet_pressure_pa", "outlet_pressure_pa",
+)  # fmt: skip

@@ -15,8 +15,11 @@ cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, f
 
 
 @jit
-def surface_pressures(w, v, G, P_s, dy, alpha_s, half_rho_a, twelve_mu_a, K_col, C_col, p_aero, p_col):
-    """Fill ``p_aero`` and ``p_col`` (ny, nx), Pa, for displacement ``w`` and velocity ``v`` (ny, nx)."""
+def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu_a, K_col, C_col, p_aero, p_col):
+    """Fill ``p_aero`` and ``p_col`` (ny, nx), Pa, for displacement ``w`` and velocity ``v`` (ny, nx).
+
+    ``inlet``, ``outlet``: pressure below and above the glottis, Pa (P_s and 0 with one-way coupling).
+    """
     ny, nx = w.shape
     for i in range(nx):
         d_min, d_max = math.inf, 0.0
@@ -34,7 +37,7 @@ def surface_pressures(w, v, G, P_s, dy, alpha_s, half_rho_a, twelve_mu_a, K_col,
                 here = cube(reciprocal(gap(G[j, i], w[j, i])))
                 above = cube(reciprocal(gap(G[j - 1, i], w[j - 1, i])))
                 integral += on * viscous_segment(here, above, 0.5 * dy)
-        q = slice_flux(P_s, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
+        q = slice_flux(inlet - outlet, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
         integral, upstream = 0.0, math.inf
         for k in range(ny):
             j = ny - 1 - k
@@ -42,7 +45,8 @@ def surface_pressures(w, v, G, P_s, dy, alpha_s, half_rho_a, twelve_mu_a, K_col,
             running = min(d, upstream)
             on = attached(running, upstream, d_sep, d_min)
             upstream = running
-            p_aero[j, i] = on * pressure(P_s, q, reciprocal(d), integral, half_rho_a, twelve_mu_a)
+            attached_pressure = pressure(inlet, q, reciprocal(d), integral, half_rho_a, twelve_mu_a)
+            p_aero[j, i] = attached_pressure if on else outlet
             p_col[j, i] = contact_pressure(w[j, i], v[j, i], G[j, i], K_col, C_col)
             if j > 0:
                 above = cube(reciprocal(gap(G[j - 1, i], w[j - 1, i])))

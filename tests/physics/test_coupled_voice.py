@@ -1,0 +1,109 @@
+"""Two-way coupling of the whole fold: forces against the twin, the limit of wide airways, order in the step."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.support.airways_twin import AirwaysTwin
+from tests.support.fold_harness import get_state, product_and_twin
+from vfcore.acoustics.airways import Airways, airways
+from vfcore.acoustics.tract import Tract
+from vfcore.assemble import beam, membrane, with_constants
+from vfcore.kernels.layout import RECORD
+from vfcore.march import March
+from vfcore.params import DEFAULT_STEP_S, SECTION_TRAVEL_S
+from vfcore.request import simulation_from_dict
+from vfcore.simulate import simulate
+
+RHO, C, P_S = 1.14, 350.0, 800.0
+DAMPED = {"C_coup_pa_s_m": 300.0}
+FLOW, INLET, OUTLET = (RECORD.index(name) for name in ("glottal_flow_m3_s", "inlet_pressure_pa", "outlet_pressure_pa"))
+
+
+def step(march: March) -> np.ndarray:
+    """One step; its line of the record."""
+    record = np.empty(len(RECORD))
+    march._advance(march.buffer, march.scalars, np.array([P_S]), 1, record, march.air)
+    return record
+
+
+@pytest.mark.kernel
+def test_along_a_voice_flow_pressures_and_forces_equal_the_twins():
+    """One section of travel a step, so that the twin's flow needs no geometry between steps."""
+    fold, twin = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.01, nx=12, ny=6)
+    fold = with_constants(fold, **DAMPED)
+    twin = replace(twin, constants=fold.constants)
+    ways = airways("a", RHO, C, SECTION_TRAVEL_S)
+    march, air = March(fold, SECTION_TRAVEL_S, P_S, 0.0, ways), AirwaysTwin(ways)
+    march.start_flat()
+    seen = []
+    for n in range(1400):
+        state = get_state(march)
+        extrapolated = state._replace(
+            v_m=membrane(march.buffer, fold, "v_star")[:, 1:-1].T.copy(),
+            v_b=beam(march.buffer, fold, "v_star_b")[1:-1].copy(),
+        )
+        air.step(P_S, lambda drop, w=state.w_m: np.sign(drop) * twin.flow(w, abs(drop)).Q_g)
+        line = step(march)
+        seen.append((line[FLOW], air.flow, line[INLET], air.inlet, line[OUTLET], air.outlet))
+        if n % 100 == 99 and line[INLET] > line[OUTLET]:
+            aero = twin.flow(state.w_m, line[INLET] - line[OUTLET]).p_aero[1:-1] + line[OUTLET]
+            without = twin.acceleration(extrapolated, 0.0)[0] + twin.flow(state.w_m, 0.0).p_aero[1:-1] / twin.k.rho_s
+            v, v_star = (membrane(march.buffer, fold, name)[:, 1:-1].T for name in ("v", "v_star"))
+            moved = 2 * (v_star - v) / SECTION_TRAVEL_S  # v* lies half an increment beyond v
+            wanted = without - aero / twin.k.rho_s
+            assert np.abs(moved - wanted).max() < 2e-3 * np.abs(wanted).max()
+    flow, flow_twin, inlet, inlet_twin, outlet, outlet_twin = np.array(seen).T
+    assert flow.max() > 1e-4 and outlet.min() < -50
+    assert np.abs(flow - flow_twin).max() < 2e-3 * flow.max()
+    assert np.abs(inlet - inlet_twin).max() < 2e-3 * P_S and np.abs(outlet - outlet_twin).max() < 2e-3 * P_S
+
+
+def wide(factor: float) -> Airways:
+    """Airways with all areas times ``factor``: they push back by so much less."""
+    ways = airways("a", RHO, C, DEFAULT_STEP_S)
+
+    def widened(tract: Tract) -> Tract:
+        return replace(tract, areas_m2=tuple(area * factor for area in tract.areas_m2))
+
+    return Airways(widened(ways.subglottal), widened(ways.supraglottal), ways.substeps)
+
+
+def test_in_wide_airways_the_voice_becomes_that_of_one_way_coupling():
+    fold, _ = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.01)
+    fold = with_constants(fold, **DAMPED)
+    records = {}
+    for factor in (None, 25.0, 100.0):
+        march = March(fold, DEFAULT_STEP_S, P_S, 0.0, wide(factor) if factor else None)
+        march.start_flat()
+        records[factor] = march.run(350)
+    size = records[None][:, FLOW].max()
+    apart = {f: np.abs(records[f][:, FLOW] - records[None][:, FLOW]).max() / size for f in (25.0, 100.0)}
+    assert apart[100.0] < 0.03 and apart[100.0] < 0.4 * apart[25.0]
+    pressure = {f: np.abs(records[f][:, OUTLET]).max() for f in (25.0, 100.0)}
+    assert pressure[100.0] < 0.4 * pressure[25.0] and pressure[100.0] < 0.1 * P_S
+
+
+def test_the_same_voice_comes_out_at_a_quarter_of_the_step():
+    document = {"subglottal_pressure_pa": 600, "model": {"variant": "human", "coupling": "two_way"}}
+    usual = simulate(simulation_from_dict(document | {"run": {"duration_s": 0.5}})).report
+    fine = simulate(
+        simulation_from_dict(document | {"run": {"duration_s": 0.5, "time_step_s": DEFAULT_STEP_S / 4}})
+    ).report
+    assert usual.state == fine.state == "periodic"
+    for key, most in {"fo_hz": 0.003, "mean_flow_ml_s": 0.01, "ac_flow_ml_s": 0.02, "peak_area_mm2": 0.01}.items():
+        assert usual.measures[key].value == pytest.approx(fine.measures[key].value, rel=most), key
+
+
+def test_fields_of_a_cycle_lie_between_the_pressures_around_the_glottis():
+    """Air pressure on the folds is that of the inlet upstream and that of the outlet behind the separation."""
+    result = simulate(
+        simulation_from_dict({"subglottal_pressure_pa": 600, "model": {"variant": "human", "coupling": "two_way"}})
+    )
+    at, time = result.arrays["cycle_time_s"], result.arrays["time_s"]
+    inlet, outlet = (np.interp(at, time, result.arrays[f"{end}_pressure_pa"]) for end in ("inlet", "outlet"))
+    field = result.arrays["cycle_aerodynamic_pressure_pa"]
+    low, high = np.minimum(inlet, outlet)[:, None, None], np.maximum(inlet, outlet)[:, None, None]
+    assert (field > low - 40).all() and (field < high + 40).all()
+    assert np.ptp(inlet) > 100 and np.ptp(outlet) > 100
