@@ -18,7 +18,7 @@ help:
 	@echo "make run     the modal voice as a table and a sound file, then the dashboard on http://$(HOST):$(PORT)"
 	@echo "make modal   the modal voice only"
 	@echo "make test    every check"
-	@echo "make bench   how fast Vocalis is on this machine"
+	@echo "make bench   how fast Vocalis is on this machine; CHECK=1: fails if the kernel lost over 15 %"
 	@echo "make clean   remove .venv, caches and out/"
 	@echo "Variables: PYTHON=$(PYTHON) HOST=$(HOST) PORT=$(PORT)"
 
@@ -32,7 +32,7 @@ modal: $(VENV)/.installed
 	@echo "Listen to it: $(CURDIR)/out/modal.wav"
 
 bench: $(VENV)/.installed
-	@$(BIN)/vocalis bench
+	@$(BIN)/vocalis bench $(if $(CHECK),--check)
 
 test: lint test-all test-interpreted test-boundscheck
 

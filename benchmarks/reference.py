@@ -18,7 +18,7 @@ STEP_S = DEFAULT_STEP_S / 4
 
 contact_pressure = contact.contact_pressure
 gap, reciprocal, separation_gap = flow.gap, flow.reciprocal, flow.separation_gap
-viscous_segment, slice_flux, pressure = flow.viscous_segment, flow.slice_flux, flow.pressure
+cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, flow.slice_flux, flow.pressure
 tension, coupling = membrane.tension, membrane.coupling
 shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
 
@@ -46,7 +46,7 @@ class Laws(NamedTuple):
 
 @jit
 def _slice_pressure(w, G, i, k, p, d):
-    """Fill ``p`` (ny,) with the aerodynamic pressure of slice ``i``; ``d`` (ny,) is working space. Returns d_min."""
+    """Fill ``p`` (ny,) with the aerodynamic pressure of slice ``i``; ``d`` (ny,) is working space. Returns d_min, q."""
     ny = p.size
     d_min, d_max = np.inf, 0.0
     for j in range(ny):
@@ -58,26 +58,27 @@ def _slice_pressure(w, G, i, k, p, d):
         j_sep -= 1
     integral = 0.0
     for j in range(ny - 2, j_sep - 1, -1):
-        integral += viscous_segment(reciprocal(d[j + 1]), reciprocal(d[j]), 0.5 * k.dy)
+        integral += viscous_segment(cube(reciprocal(d[j + 1])), cube(reciprocal(d[j])), 0.5 * k.dy)
     q = slice_flux(k.P_s, integral, d_sep, d_min, k.half_rho_a, k.twelve_mu_a)
     integral = 0.0
     for j in range(ny - 1, -1, -1):
         on_the_lung_side = j > j_sep or (d_min <= 0.0 and j == j_sep)
         p[j] = pressure(k.P_s, q, reciprocal(d[j]), integral, k.half_rho_a, k.twelve_mu_a) if on_the_lung_side else 0.0
         if j > 0:
-            integral += viscous_segment(reciprocal(d[j]), reciprocal(d[j - 1]), 0.5 * k.dy)
-    return d_min
+            integral += viscous_segment(cube(reciprocal(d[j])), cube(reciprocal(d[j - 1])), 0.5 * k.dy)
+    return d_min, q
 
 
 @jit
-def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, area):
-    """March ``steps`` steps; ``area`` (steps,) gets the minimum glottal area, m², before each."""
+def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, record):
+    """March ``steps`` steps; ``record`` (steps, 3) gets area, m², flow, m³/s, and largest contact pressure, Pa."""
     ny, nx = w.shape
     for n in range(steps):
-        area[n] = 0.0
+        area, flow_rate, largest = 0.0, 0.0, 0.0
         for i in range(1, nx):
-            d_min = _slice_pressure(w, G, i, k, p, d)
-            area[n] += d_min * (0.5 * k.dx if i == nx - 1 else k.dx)
+            d_min, q = _slice_pressure(w, G, i, k, p, d)
+            area += d_min * (0.5 * k.dx if i == nx - 1 else k.dx)
+            flow_rate += q * (0.5 * k.dx if i == nx - 1 else k.dx)
             if i == nx - 1:
                 continue
             to_beam = 0.0
@@ -87,17 +88,19 @@ def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, area
                 shear = 0.0
                 for other in (j - 1, j + 1):
                     if 0 <= other < ny:
-                        strain = shear_strain(w[j, i], w[other, i], 0.0, 1.0 / k.dy)
-                        rate = shear_strain(v[j, i], v[other, i], 0.0, 1.0 / k.dy)
+                        strain = shear_strain(w[j, i], w[other, i], 0.0) / k.dy
+                        rate = shear_strain(v[j, i], v[other, i], 0.0) / k.dy
                         cell = 0.5 * k.dy if j == 0 or j == ny - 1 else k.dy
                         shear += shear_flux(strain, rate, k.G_shear, k.eta_shear) / cell
                 p_col = contact_pressure(w[j, i], v[j, i], G[j, i], k.K_col, k.C_col)
+                largest = max(p_col, largest)
                 along = tension(w[j, i - 1], w[j, i], w[j, i + 1], k.T_over_dx2)
                 force[j, i] = (along + shear - traction - p[j] - p_col) / k.rho_s
             line = to_beam * k.dy - k.K_foun * w_b[i] - k.C_foun * v_b[i] + load[i - 1]
             for m in range(max(0, i - 3), min(nx - 2, i + 2)):
                 line += B[i - 1, m] * w_b[m + 1]
             force[ny, i] = line / k.rho_l
+        record[n, 0], record[n, 1], record[n, 2] = area, flow_rate, largest
         for i in range(1, nx - 1):
             for j in range(ny):
                 v[j, i] += dt * force[j, i]
@@ -106,8 +109,8 @@ def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, area
             w_b[i] += dt * v_b[i]
 
 
-def plain_run(fold: Fold, P_s_pa: float, duration_s: float) -> np.ndarray:
-    """Minimum glottal area, m², every STEP_S from the flat start."""
+def plain_run(fold: Fold, P_s_pa: float, duration_s: float, step_s: float = STEP_S) -> np.ndarray:
+    """Minimum glottal area, m², flow, m³/s, and largest contact pressure, Pa, every ``step_s`` from the flat start."""
     c, air = fold.coefficients, fold.constants
     laws = Laws(
         fold.dx, fold.dy, P_s_pa, air.alpha_s, 0.5 * air.rho_a_kg_m3, 12.0 * air.mu_a_pa_s,
@@ -117,11 +120,11 @@ def plain_run(fold: Fold, P_s_pa: float, duration_s: float) -> np.ndarray:
     )  # fmt: skip
     w = 1e-9 * np.sin(np.pi * fold.y_m / fold.y_m[-1])[:, None] * np.sin(np.pi * fold.x_m / fold.x_m[-1])
     w[:, [0, -1]] = 0.0
-    area = np.empty(round(duration_s / STEP_S))
+    record = np.empty((round(duration_s / step_s), 3))
     v, w_b, v_b = np.zeros_like(w), np.zeros(fold.nx), np.zeros(fold.nx)
     force, p, d = np.empty((fold.ny + 1, fold.nx)), np.empty(fold.ny), np.empty(fold.ny)
     _advance(
-        w, v, w_b, v_b, fold.medial_plane_m, fold.K_coup_pa_m, fold.beam_matrix_n_m2, fold.beam_load_n_m, laws, STEP_S,
-        area.size, force, p, d, area,
+        w, v, w_b, v_b, fold.medial_plane_m, fold.K_coup_pa_m, fold.beam_matrix_n_m2, fold.beam_load_n_m, laws, step_s,
+        len(record), force, p, d, record,
     )  # fmt: skip
-    return area
+    return record

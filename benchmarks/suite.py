@@ -10,18 +10,23 @@ from typing import NamedTuple
 import numpy as np
 
 from vfcore.files.netcdf import write_netcdf
-from vfcore.kernels.layout import Layout
+from vfcore.kernels.layout import LANES, Layout
 from vfcore.march import March
+from vfcore.march_batch import Motion, march_many
 from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, Simulation
 from vfcore.posture.equilibrium import solve_posture, solve_posture_batch
 from vfcore.simulate import prepare, simulate
 from vfcore.statics import static_shape_of
-from vocalis_bench import machine, processes, reference
+from vocalis_bench import compare, machine, processes, reference
 from vocalis_bench.count import count_step
 from vocalis_bench.rounds import interleaved
 
 BATCH = 1000
 STORED_TARGET_S = 0.08  # request to stored result of 1 s of voice
+KERNEL_TARGET_S = 0.012  # 1 s of voice on one core
+PAPER_STEP_TARGET_S = 0.2
+PAPER_MINUTE_S = 60.0  # the paper: "under a minute" for a simulation of 1 s
+BATCH_VOICE_S = 0.25
 
 
 class Row(NamedTuple):
@@ -75,6 +80,10 @@ def _tasks(stored: Path) -> dict[str, Callable[[], object]]:
 
         return march
 
+    def batch(precision: str) -> Callable[[], object]:
+        motions = [Motion(fold, DEFAULT_STEP_S, request.subglottal_pressure_pa, BATCH_VOICE_S)] * LANES[precision]
+        return lambda: list(march_many(motions, single_precision=precision == "float32"))
+
     return {
         "posture": lambda: solve_posture(request.activation, request.posturing),
         "postures": lambda: solve_posture_batch(activations, request.posturing),
@@ -83,11 +92,13 @@ def _tasks(stored: Path) -> dict[str, Callable[[], object]]:
         "kernel": kernel(DEFAULT_STEP_S),
         "kernel_paper_step": kernel(PAPER_STEP_S),
         "reference": lambda: reference.plain_run(fold, request.subglottal_pressure_pa, 1.0),
+        "batch": batch("float64"),
+        "batch_single": batch("float32"),
         "result": lambda: simulate(request),
         "stored": lambda: write_netcdf(simulate(request), stored),
         "peak": machine.peak_task()[0],
         "l1": machine.cache_task()[0],
-    }
+    } | compare.tasks()
 
 
 def _timings(seconds: dict[str, float]) -> Iterator[Row]:
@@ -95,16 +106,30 @@ def _timings(seconds: dict[str, float]) -> Iterator[Row]:
     yield Row("posture_batch_us", f"posture, each of a batch of {BATCH}", seconds["postures"] / BATCH * 1e6, "µs")
     yield Row("static_ms", "static shape with contact", seconds["static"] * 1e3, "ms")
     yield Row("prepare_ms", "request → posture, coefficients, static shape", seconds["prepare"] * 1e3, "ms")
-    yield Row("kernel_s", f"kernel, 1 s of voice, step {DEFAULT_STEP_S * 1e6:.2f} µs", seconds["kernel"], "s")
+    yield Row(
+        "kernel_s", f"kernel, 1 s of voice, step {DEFAULT_STEP_S * 1e6:.2f} µs", seconds["kernel"], "s",
+        KERNEL_TARGET_S,
+    )  # fmt: skip
     yield Row(
         "kernel_paper_step_s", f"kernel, 1 s of voice, the paper's step {PAPER_STEP_S * 1e6:.4f} µs",
-        seconds["kernel_paper_step"], "s",
+        seconds["kernel_paper_step"], "s", PAPER_STEP_TARGET_S,
     )  # fmt: skip
     yield Row(
         "reference_s", f"plain compiled loop, 1 s of voice, step {reference.STEP_S * 1e6:.2f} µs",
         seconds["reference"], "s",
     )  # fmt: skip
     yield Row("reference_ratio", "plain loop / kernel", seconds["reference"] / seconds["kernel"], "×")
+    yield Row(
+        "paper_step_ratio", "plain loop / kernel at the paper's step",
+        seconds["reference"] / seconds["kernel_paper_step"], "×",
+    )  # fmt: skip
+    for task, precision, label in (("batch", "float64", "batch"), ("batch_single", "float32", "single_precision")):
+        each = seconds[task] / LANES[precision] / BATCH_VOICE_S
+        yield Row(f"{label}_s", f"kernel, 1 s of voice, each of {LANES[precision]} in {precision}", each, "s")
+        yield Row(f"{label}_ratio", "  plain loop / kernel", seconds["reference"] / each, "×")
+    yield Row("static_batch_s", f"{BATCH} static shapes, one after the other", seconds["static"] * BATCH, "s")
+    yield Row("paper_minute_ratio", "the paper's minute / request → result", PAPER_MINUTE_S / seconds["result"], "×")
+    yield from (Row(*row) for row in compare.rows(seconds))
     yield Row("result_s", "request → result, 1 s of voice", seconds["result"], "s")
     yield Row("stored_s", "request → stored netCDF, 1 s of voice", seconds["stored"], "s", STORED_TARGET_S)
     yield Row("peak_gflop_s", "this core: multiply-adds", machine.peak_task()[1] / seconds["peak"] * 1e-9, "Gflop/s")

@@ -7,7 +7,9 @@ from rich.console import Console
 from rich.table import Table
 
 from vfcore.document import json_text
+from vocalis_bench import history
 from vocalis_bench.suite import machine_description, run
+from vocalis_bench.work import costs
 
 HELP = """
 {summary}
@@ -17,23 +19,44 @@ its own and at the paper's step, a plain loop for comparison, request to stored 
 and bytes a step are counted by running the loop's source on numbers that count; the best that this core can do is
 measured by two small loops.
 
-- `vocalis bench` — the whole table, about a minute
-- `vocalis bench --quick --json` — one round, no fresh processes, for a script
+- `vocalis bench` — the whole table, about a minute, and cost against work
+- `vocalis bench --check` — also compare its ratios with earlier runs on this processor; a loss over 15 % exits with 1
+- `vocalis bench --quick --json` — one round, no fresh processes, nothing kept, for a script
 """
 
 
 def bench(
     rounds: Annotated[int, typer.Option("--rounds", min=1, max=1000, help="interleaved rounds")] = 7,
     quick: Annotated[bool, typer.Option("--quick", help="one round, no fresh processes")] = False,
+    check: Annotated[bool, typer.Option("--check", help="exit 1 if a ratio fell by over 15 %")] = False,
     json: Annotated[bool, typer.Option("--json", help="print JSON instead of a table")] = False,
 ) -> None:
     """Run the benchmarks and print one table."""
     watcher = Console(stderr=True)
+    machine = machine_description()
     with watcher.status("starting") as status:
         rows = run(1 if quick else rounds, fresh_processes=not quick, progress=status.update)
+        work = []
+        if not quick:
+            status.update("cost against work")
+            work = list(costs(machine["cores"] or 1))
+    values = {row.key: row.value for row in rows}
+    file = history.history_file()
+    lost = history.regressions(values, history.earlier(file, machine["processor"])) if check else []
+    if not quick:
+        history.keep(file, machine["processor"], values)
     if json:
-        print(json_text({"machine": machine_description(), "rows": [row._asdict() for row in rows]}, indent=2))
-        return
+        lines = [row._asdict() for row in rows]
+        print(json_text({"machine": machine, "rows": lines, "work": [cost._asdict() for cost in work]}, indent=2))
+    else:
+        _print(rows, work, machine)
+    for sentence in lost:
+        watcher.print(f"slower than before: {sentence}", style="red")
+    if lost:
+        raise typer.Exit(1)
+
+
+def _print(rows: list, work: list, machine: dict) -> None:
     table = Table(box=None, pad_edge=False)
     for header, justify in (
         ("modal voice, 20×10 nodes", "left"),
@@ -46,7 +69,21 @@ def bench(
         table.add_row(row.label, f"{row.value:,.4g}", row.unit, "" if row.target is None else f"{row.target:g}")
     console = Console()
     console.print(table)
-    console.print(", ".join(f"{value}" for value in machine_description().values()), style="dim", highlight=False)
+    if work:
+        console.print()
+        table = Table(box=None, pad_edge=False)
+        for header, justify in (
+            ("cost against", "left"),
+            ("work", "left"),
+            ("ms", "right"),
+            ("each", "right"),
+            ("", "left"),
+        ):
+            table.add_column(header, justify=justify)
+        for cost in work:
+            table.add_row(cost.table, cost.work, f"{1e3 * cost.seconds:,.4g}", f"{cost.each:,.4g}", cost.unit)
+        console.print(table)
+    console.print(", ".join(f"{value}" for value in machine.values()), style="dim", highlight=False)
 
 
 def register(app: typer.Typer, summary: str) -> None:

@@ -6,7 +6,6 @@ from typing import Annotated, Any, NamedTuple
 
 import typer
 
-from vfcore.params import Simulation
 from vfcore.presets import PRESETS
 from vfcore.request import simulation_from_dict
 from vfcore.schema import parameter_schema
@@ -39,19 +38,21 @@ _EQUATIONS = _options(
 )
 _GRID = _options(RUN, nx="run.nx", ny="run.ny")
 _RUN = _options(RUN, duration="run.duration_s", time_step="run.time_step_s", start="run.start")
+_ESTIMATE = _options(RUN, error_estimate="run.error_estimate")
 
 POSTURE_OPTIONS = (*_MUSCLES, *_SETS)
 SHAPE_OPTIONS = (*_MUSCLES, *_SETS, *_EQUATIONS, *_GRID)
-SIMULATE_OPTIONS = (*_MUSCLES, *_BREATH, *_SETS, *_EQUATIONS, *_RUN, *_GRID)
+SIMULATE_OPTIONS = (*_MUSCLES, *_BREATH, *_SETS, *_EQUATIONS, *_RUN, *_GRID, *_ESTIMATE)
 
 _ROWS = {row["key"]: row for row in parameter_schema()}
 _PRESET_NAMES = ", ".join(preset.key for preset in PRESETS)
 _SOURCES = ("preset", "request", "set")
 
 
-def takes_request(options: tuple[RequestOption, ...]) -> Callable:
-    """Decorator: the command gets ``request``, a Simulation made from ``options``, --preset, --request and --set.
+def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict], Any] = simulation_from_dict) -> Callable:
+    """Decorator: the command gets ``request``, made from ``options``, --preset, --request and --set.
 
+    ``make`` turns the merged document into what the command takes: a Simulation when left out.
     Later beats earlier: preset, request file, single options, --set. ParameterError for what cannot be used.
     """
 
@@ -65,7 +66,7 @@ def takes_request(options: tuple[RequestOption, ...]) -> Callable:
         def wrapper(**values):
             sources = [values.pop(name) for name in _SOURCES]
             given = {option.key: values.pop(option.name) for option in options}
-            return command(request=_simulation(*sources, given), **values)
+            return command(request=make(_document(*sources, given)), **values)
 
         parameters = [*_option_parameters(options), *_source_parameters(), *own]
         wrapper.__signature__ = inspect.Signature(parameters)
@@ -76,19 +77,22 @@ def takes_request(options: tuple[RequestOption, ...]) -> Callable:
     return decorate
 
 
-def _simulation(
-    preset: str | None, path: str | None, settings: list[str] | None, given: Mapping[str, str | None]
-) -> Simulation:
+def _document(
+    preset: str | None, path: str | None, settings: list[str] | None, given: Mapping[str, str | bool | None]
+) -> dict[str, Any]:
     changes = {
-        key: text if _ROWS[key]["type"] == "choice" else number_or_text(text)
+        key: text if _ROWS[key]["type"] in ("choice", "boolean") else number_or_text(text)
         for key, text in given.items()
         if text is not None
     }
-    return simulation_from_dict(request_document(preset, path, changes, settings or []))
+    return request_document(preset, path, changes, settings or [])
 
 
-def number_or_text(text: str) -> int | float | str:
-    """The number that ``text`` spells, otherwise the text, for the request's own validation to judge."""
+def number_or_text(text: str) -> int | float | str | list:
+    """The number or the breakpoints (``0:0.1,1.5:0.9``) that ``text`` spells, otherwise the text, for the request's
+    own validation to judge."""
+    if ":" in text:
+        return [[number_or_text(part) for part in pair.split(":", 1)] for pair in text.split(",")]
     for kind in (int, float):
         try:
             return kind(text)
@@ -104,24 +108,25 @@ def _parameter(name: str, annotation) -> inspect.Parameter:
 def _option_parameters(options: tuple[RequestOption, ...]):
     for option in options:
         row = _ROWS[option.key]
+        is_flag = row["type"] == "boolean"
         information = typer.Option(
-            option.flag,
-            metavar="NAME" if row["type"] == "choice" else "NUMBER",
+            f"{option.flag}/--no-{option.flag[2:]}" if is_flag else option.flag,
+            metavar=None if is_flag else "NAME" if row["type"] == "choice" else "NUMBER",
             help=_help(row),
             show_default=False,
             rich_help_panel=option.panel,
         )
-        yield _parameter(option.name, Annotated[str | None, information])
+        yield _parameter(option.name, Annotated[(bool if is_flag else str) | None, information])
 
 
 def _help(row: Mapping[str, Any]) -> str:
     parts = [row["label"] + (f": {row['help']}" if row["help"] else "")]
     if row["type"] == "choice":
         parts.append(", ".join(row["options"]))
-    else:
+    elif row["type"] != "boolean":
         unit = "" if row["unit"] == "1" else f" {row['unit']}"
         parts.append(f"{row['min']:g} to {row['max']:g}{unit}")
-    if row["default"] is not None:
+    if row["default"] is not None and row["type"] != "boolean":
         parts.append(f"default {row['default']}")
     return "; ".join(parts)
 

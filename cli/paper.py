@@ -4,7 +4,7 @@ import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
@@ -17,6 +17,8 @@ from vfcore.files.atomic import write_bytes
 from vfcore.params import VARIANTS
 from vocalis_cli.outputs import check_writable, save
 from vocalis_paper.cases import CASES
+from vocalis_paper.convergence import convergence_document
+from vocalis_paper.convergence_text import convergence_tables
 from vocalis_paper.registry import CLAIMS
 from vocalis_paper.report import html_report
 from vocalis_paper.run import workers
@@ -33,7 +35,8 @@ with a stated difference; fail: neither.
 - `vocalis paper` — all 29 claims on both variants of the model, one or two minutes
 - `vocalis paper --variant paper --html report.html` — with a picture for each claim
 - `vocalis paper --only M2,M3,S1` — some claims, a few seconds
-- `vocalis paper --study` — what becomes of the score when a free choice is made otherwise
+- `vocalis paper --study` — what becomes of the score when a free choice is made otherwise, some ten minutes
+- `vocalis paper --convergence` — three voices on finer grids and shorter steps; both shears on more rows
 """
 _STYLES = {"pass": "green", "deviation": "yellow", "fail": "red"}
 BOTH = "both"
@@ -50,21 +53,29 @@ def paper(
     study: Annotated[
         bool, typer.Option("--study", help="vary the free choices instead, on coarser maps, for the paper variant")
     ] = False,
+    convergence: Annotated[
+        bool, typer.Option("--convergence", help="refine grid and time step instead, for the paper variant")
+    ] = False,
 ) -> None:  # fmt: skip
     """Judge the paper's claims and print one line for each."""
     chosen = _variants(variant)
     claims = CLAIMS if only is None else {key: CLAIMS[key] for key in _keys(only)}
-    _refuse_for_study(study, only, html)
+    _refuse_beside("--study", study, ("--only", only), ("--html", html), ("--convergence", convergence or None))
+    _refuse_beside("--convergence", convergence, ("--only", only), ("--html", html))
     for option, path in (("--html", html), ("--json", json)):
         check_writable(option, path)
     with workers(count or os.cpu_count() or 1) as pool, _watch() as watched:
         if study:
             document = study_document(pool, watched)
+        elif convergence:
+            document = convergence_document(pool, watched("convergence"))
         else:
             scored = {name: score_variant(name, pool, claims, watched(name)) for name in chosen}
             document = scoreboard(scored, claims)
     if study:
         print(study_markdown(document))
+    elif convergence:
+        print("\n\n".join(convergence_tables(document).values()))
     else:
         _print(document)
         save("--html", html, lambda path: write_bytes(path, html_report(document, scored).encode()))
@@ -88,10 +99,10 @@ def _keys(text: str) -> list[str]:
     return [key for key in CLAIMS if key in keys]
 
 
-def _refuse_for_study(study: bool, only: str | None, html: str | None) -> None:
-    for option, value in (("--only", only), ("--html", html)):
-        if study and value is not None:
-            raise ParameterError(option, "does not go with --study", "--json, --workers")
+def _refuse_beside(chosen: str, is_chosen: bool, *others: tuple[str, Any]) -> None:
+    for option, value in others:
+        if is_chosen and value is not None:
+            raise ParameterError(option, f"does not go with {chosen}", "--json, --workers")
 
 
 @contextmanager
@@ -109,7 +120,8 @@ def _watch() -> Iterator[Callable[[str], Callable[[str, int, int], None]]]:
             bar = bars.add_task(f"{name}: compiling kernels (slow the first time only)", total=None)
 
             def update(case: str, done: int, total: int) -> None:
-                bars.update(bar, description=f"{name}: {CASES[case].title}", completed=done, total=total)
+                title = CASES[case].title if case in CASES else case
+                bars.update(bar, description=f"{name}: {title}", completed=done, total=total)
 
             return update
 

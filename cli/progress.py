@@ -1,6 +1,8 @@
 """A run with progress on a terminal (on standard error), and silence where nobody watches."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import TypeVar
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
@@ -9,6 +11,7 @@ from vfcore.params import Run, Simulation
 from vfcore.result import SimulationResult
 from vfcore.simulate import simulate
 
+T = TypeVar("T")
 #: Long enough to pass through every kernel once, short enough not to be noticed.
 WARM_UP_S = 0.02
 
@@ -25,6 +28,17 @@ def simulate_watched(request: Simulation) -> SimulationResult:
         bars.remove_task(compiling)
         run = bars.add_task(f"simulating {request.run.duration_s:g} s", total=1.0)
         return simulate(request, progress=lambda fraction: bars.update(run, completed=fraction))
+
+
+def watched(duration_s: float, work: Callable[[Callable[[float], None] | None], T]) -> T:
+    """``work(progress)``; on a terminal with a bar over the simulated time."""
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        return work(None)
+    columns = SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()
+    with Progress(*columns, console=console, transient=True) as bars:
+        run = bars.add_task(f"simulating {duration_s:g} s", total=1.0)
+        return work(lambda fraction: bars.update(run, completed=fraction))
 
 
 def compile_kernels(request: Simulation) -> None:

@@ -28,6 +28,7 @@ Measures come from the last half of the run. A measure that has no value says wh
 - `vocalis simulate --preset breathy --netcdf breathy.nc --csv breathy.csv` — fields and measures as files
 - `vocalis simulate --json | jq .measures.fo_hz.value` — one number, for a script
 - `vocalis simulate --request run.json --set run.start=static` — a stored request, changed in one place
+- `vocalis simulate --error-estimate` — how far each measure is from that of a fine grid
 - `vocalis simulate --time-step 1.7857e-6` — the paper's own time step
 """
 _OUTPUT = "Output"

@@ -8,6 +8,7 @@ from rich.console import Console
 from rich.table import Table
 
 from vfcore.document import COEFFICIENTS
+from vfcore.error_estimate import NO_VALUE
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.schema import FOLD_CONSTANTS, POSTURING_CONSTANTS, parameter_schema
 
@@ -29,7 +30,8 @@ def print_measures(console: Console, document: Mapping[str, Any]) -> None:
     console.print(document["explanation"], style="bold", highlight=False)
     console.print(f"Lung pressure {pressure:g} Pa ({pressure / PA_PER_CMH2O:.1f} cmH₂O).", highlight=False)
     console.print(f"Without it: {closure_text(document['static_shape'])}.", highlight=False)
-    table = _table("", "measure", "value>", "unit")
+    estimate = document["error_estimate"]
+    table = _table("", "measure", "value>", *(("± grid error>",) if estimate else ()), "unit")
     missing: dict[str, list[str]] = {}
     group = None
     for spec in CATALOGUE:
@@ -40,10 +42,30 @@ def print_measures(console: Console, document: Mapping[str, Any]) -> None:
         if measure["value"] is None:
             missing.setdefault(measure["reason"], []).append(spec.name)
         text = "–" if measure["value"] is None else f"{measure['value']:.{spec.decimals}f}"
-        table.add_row(spec.symbol, spec.name, text, "" if measure["unit"] == "1" else measure["unit"])
+        bar = () if estimate is None else (_bar_text(estimate["measures"][spec.key]["half_width"]),)
+        table.add_row(spec.symbol, spec.name, text, *bar, "" if measure["unit"] == "1" else measure["unit"])
     console.print(table)
+    if estimate is not None:
+        print_error_estimate(console, estimate)
     for reason, names in missing.items():
         console.print(f"– {', '.join(names)}: {reason}", highlight=False, style="dim")
+
+
+def print_error_estimate(console: Console, estimate: Mapping[str, Any]) -> None:
+    """The grids behind the error bars, and why some measures have none."""
+    grids = ", ".join(f"{level['nx']} × {level['ny']}" for level in estimate["levels"])
+    console.print(f"Grid error from runs on {grids} nodes: {estimate['method']}.", highlight=False, style="dim")
+    without: dict[str, list[str]] = {}
+    for spec in CATALOGUE:
+        bar = estimate["measures"][spec.key]
+        if bar["reason"] and bar["reason"] != NO_VALUE:
+            without.setdefault(bar["reason"], []).append(spec.name)
+    for reason, names in without.items():
+        console.print(f"No error bar, {', '.join(names)}: {reason}", highlight=False, style="dim")
+
+
+def _bar_text(half_width: float | None) -> str:
+    return "–" if half_width is None else f"{half_width:.2g}" if half_width < 100 else f"{half_width:.0f}"
 
 
 def print_posture(console: Console, document: Mapping[str, Any]) -> None:

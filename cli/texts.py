@@ -10,6 +10,7 @@ COMMANDS = {
     "static": "The shape of the folds at that posture without air pressure, and how they close.",
     "simulate": "Let them vibrate: measures, waveforms, sound.",
     "sweep": "The same over one to three parameters: a table of measures, as netCDF or CSV.",
+    "gesture": "Let the muscles move while they vibrate: glides, onsets, contours.",
     "serve": "The dashboard and the HTTP API on this machine.",
     "paper": "What the paper claims, each claim tested and scored.",
     "bench": "How fast it all runs on this machine.",

@@ -41,11 +41,12 @@ export const getJson = async (path, options) => (await call(path, options)).json
 export const postJson = async (path, body) => (await call(path, { method: "POST", body })).json();
 
 /** Run a request and decode its one-reply form with the arrays named. */
-export async function simulate(body, arrays) {
+export async function simulate(body, arrays, signal) {
   const response = await call(`simulate?arrays=${arrays.join(",")}`, {
     method: "POST",
     body,
     accept: "application/octet-stream",
+    signal,
   });
   return decodeResult(await response.arrayBuffer());
 }

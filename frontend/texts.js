@@ -13,6 +13,8 @@ export const TOP = {
   preset: "Voice",
   own: "Own settings",
   variant: "Model",
+  paper: "Paper",
+  instrument: "Instrument",
   share: "Copy link",
   shared: "Link copied: it opens this voice.",
   sharedFailed: "The link is in the address bar.",
@@ -129,8 +131,8 @@ export const SHAPES = {
   picture: "Distance of the fold’s edges from the midline along its length: static, most open, most closed",
 };
 
-export const PANELS = { waves: "Waves", measures: "Measures", run: "Long run" };
-export const TABS = { muscles: "Muscles", waves: "Waves", numbers: "Numbers", more: "More" };
+export const PANELS = { waves: "Waves", measures: "Measures", play: "Play", run: "Long run" };
+export const TABS = { muscles: "Muscles", play: "Play", waves: "Waves", numbers: "Numbers", more: "More" };
 
 export const STATES = {
   none: "No sustained vibration",
@@ -170,6 +172,40 @@ export const SOUND = {
   loop: "Repeat",
   loopHelp: "Repeat whole cycles without end; off: the run once, from its onset",
   saveHelp: "Download the sound of this run, 48 kHz",
+};
+
+export const PLAY = {
+  start: "Play live",
+  stop: "Stop",
+  about: "Hear the voice change under your hand: drag a muscle, the breath, or the point on the pad.",
+  needsTls: "Live sound needs a secure page: open it on localhost, or have the server started with --tls-cert and --tls-key.",
+  starting: "Starting the voice…",
+  silent: "no voice",
+  gaps: (n) => `${n} gap${n === 1 ? "" : "s"}`,
+  gone: "The voice ended: the server does not answer.",
+  ended: (reason) => `The voice ended: ${reason}.`,
+  failed: (why) => `The voice could not start: ${why}`,
+  area: "Glottal area",
+  flow: "Glottal flow",
+  fo: "Pitch",
+  level: "Level at the lips",
+  spectrum: "Spectrum of the sound",
+  ct: "Cricothyroid (CT)",
+  ta: "Thyroarytenoid (TA)",
+  pad: "Pad: cricothyroid to the right, thyroarytenoid up. Arrow keys move by 0.01, with Shift by 0.1.",
+  padValue: (ct, ta) => `CT ${ct.toFixed(2)}, TA ${ta.toFixed(2)}`,
+  waves: "Glottal area and flow of the last half second",
+  trace: "Pitch and level of the last twelve seconds",
+  spectrumPicture: "Spectrum of what sounds, up to 5 kHz",
+  record: "Record",
+  recordHelp: "Begin again from rest and keep every movement of the hand",
+  recording: (s) => `Recording ${s.toFixed(1)} s`,
+  saveSound: "Sound",
+  saveGesture: "Gesture",
+  midi: "MIDI",
+  midiHelp: "Controllers 1 to 5 move TA, CT, LCA, IA and PCA",
+  noMidi: "No MIDI controller is connected.",
+  midiRefused: "The browser does not allow MIDI here.",
 };
 
 export const RUN = {

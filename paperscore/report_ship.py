@@ -1,4 +1,5 @@
-"""The shipped results and the tables of docs/scoreboard.md, in a source tree (an installed package has no docs/).
+"""The shipped results and the tables of docs/scoreboard.md and docs/model.md, in a source tree (an installed package
+has no docs/).
 
 `python -m vocalis_paper.report_ship` runs everything and writes both; with `--text` the tables alone, from the shipped
 results.
@@ -14,6 +15,8 @@ from typing import Any
 from vfcore.document import json_text
 from vfcore.files.atomic import write_bytes
 from vfcore.params import VARIANTS
+from vocalis_paper.convergence import convergence_document
+from vocalis_paper.convergence_text import convergence_tables
 from vocalis_paper.report_text import filled, tables
 from vocalis_paper.run import workers
 from vocalis_paper.run_document import score_variant, scoreboard
@@ -21,7 +24,9 @@ from vocalis_paper.study import study_document
 
 RESULTS = Path(__file__).parent / "results"
 SCOREBOARD, STUDY = RESULTS / "scoreboard.json", RESULTS / "study.json"
+CONVERGENCE = RESULTS / "convergence.json"
 PAGE = Path(__file__).parents[1] / "docs" / "scoreboard.md"
+MODEL_PAGE = PAGE.with_name("model.md")
 
 
 def shipped(path: Path) -> dict[str, Any]:
@@ -34,14 +39,24 @@ def run_and_write() -> None:
     with workers(os.cpu_count() or 1) as pool:
         scored = {variant: score_variant(variant, pool) for variant in VARIANTS}
         study = study_document(pool)
+        convergence = convergence_document(pool)
     _write(SCOREBOARD, scoreboard(scored))
     _write(STUDY, study)
+    _write(CONVERGENCE, convergence)
 
 
-def write_page() -> None:
-    """The tables of docs/scoreboard.md from the shipped documents."""
-    page = PAGE.read_text(encoding="utf-8")
-    write_bytes(PAGE, filled(page, tables(shipped(SCOREBOARD), shipped(STUDY))).encode())
+def write_pages() -> None:
+    """The tables of both pages from the shipped documents."""
+    for path, by_name in pages().items():
+        write_bytes(path, filled(path.read_text(encoding="utf-8"), by_name).encode())
+
+
+def pages() -> dict[Path, dict[str, str]]:
+    """The tables of each page by the names of their marks."""
+    return {
+        PAGE: tables(shipped(SCOREBOARD), shipped(STUDY)),
+        MODEL_PAGE: convergence_tables(shipped(CONVERGENCE)),
+    }
 
 
 def _write(path: Path, document: Mapping[str, Any]) -> None:
@@ -51,4 +66,4 @@ def _write(path: Path, document: Mapping[str, Any]) -> None:
 if __name__ == "__main__":
     if "--text" not in sys.argv[1:]:
         run_and_write()
-    write_page()
+    write_pages()

@@ -1,6 +1,5 @@
 """The tables of docs/scoreboard.md, each between its two marks in the page."""
 
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -23,15 +22,16 @@ def tables(scoreboard: Mapping[str, Any], study: Mapping[str, Any]) -> dict[str,
 
 
 def filled(page: str, by_name: Mapping[str, str]) -> str:
-    """``page`` with what stands between ``<!-- table: NAME -->`` and ``<!-- end -->`` replaced; KeyError for a name
-    without a table.
+    """``page`` with what stands between ``<!-- table: NAME -->`` and ``<!-- end -->`` replaced by the table of that
+    name; KeyError for a table that has no place.
     """
-    return re.sub(
-        r"(<!-- table: ([^>]+?) -->\n).*?(\n<!-- end -->)",
-        lambda found: f"{found[1]}{by_name[found[2]]}{found[3]}",
-        page,
-        flags=re.DOTALL,
-    )
+    for name, table in by_name.items():
+        mark = f"<!-- table: {name} -->\n"
+        if mark not in page:
+            raise KeyError(name)
+        before, _, after = page.partition(mark)
+        page = before + mark + table + after[after.index("\n<!-- end -->") :]
+    return page
 
 
 def _score(variants: Mapping[str, Any]) -> str:

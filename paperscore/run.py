@@ -16,7 +16,7 @@ from vfcore.errors import VocalisError
 from vfcore.measures.catalogue import CATALOGUE, MeasureReport
 from vfcore.measures.measure import Measure
 from vfcore.params import PAPER_STEP_S, Simulation
-from vfcore.simulate import simulate, static_shape
+from vfcore.simulate import Prepared, prepare, simulate
 from vocalis_paper import evidence
 from vocalis_paper.cases import Case
 
@@ -25,6 +25,8 @@ LEVEL = "spl_lips_db"
 #: The shortest run that passes through every kernel.
 WARM_UP_S = 0.02
 Progress = Callable[[str, int, int], None]
+#: From a request to the fold it stands for, before anything moves.
+Prepare = Callable[[Simulation], Prepared]
 
 
 class Failure(NamedTuple):
@@ -64,13 +66,15 @@ def gather(
     pool: ProcessPoolExecutor,
     progress: Progress = lambda case, done, total: None,
     level: str = LEVEL,
+    fold: Prepare = prepare,
 ) -> Gathered:
     """All runs of the cases.
 
     ``progress(case, runs done, runs in all)`` is called as runs end. ``level`` is the measure that stands for the
-    level of a map. Timed cases come last, with the machine to themselves as far as this process can tell.
+    level of a map; ``fold`` makes the folds (a function that another process can find by its name). Timed cases come
+    last, with the machine to themselves as far as this process can tell.
     """
-    begun = {key: _begin(case, pool) for key, case in cases.items() if case.kind != "timing"}
+    begun = {key: _begin(case, pool, fold) for key, case in cases.items() if case.kind != "timing"}
     total, done, found, failures = sum(map(len, begun.values())), 0, {}, []
     for key, futures in begun.items():
         answers = []
@@ -110,16 +114,16 @@ def _activations(request: Simulation) -> str:
     return ", ".join(f"{muscle.upper()} {level:g}" for muscle, level in asdict(request.activation).items())
 
 
-def _begin(case: Case, pool: ProcessPoolExecutor) -> list[Future]:
-    return [pool.submit(_answer, case.kind, request) for request in case.requests()]
+def _begin(case: Case, pool: ProcessPoolExecutor, fold: Prepare) -> list[Future]:
+    return [pool.submit(_answer, case.kind, request, fold) for request in case.requests()]
 
 
-def _answer(kind: str, request: Simulation):
+def _answer(kind: str, request: Simulation, fold: Prepare):
     """One run, in a worker: what its kind of evidence is made of."""
     try:
         if kind == "static":
-            return static_shape(request)
-        result = simulate(request)
+            return fold(request).static
+        result = simulate(request, prepared_by=fold)
     except VocalisError as error:
         return Failure(str(error))
     return evidence.voice(result) if kind == "voice" else result.report

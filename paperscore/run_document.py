@@ -95,7 +95,7 @@ def plain_outcome(outcome: Outcome) -> dict[str, Any]:
     return {
         "verdict": str(outcome.verdict),
         "sentence": outcome.sentence,
-        "measured": [{"name": m.name, "value": _rounded(m.value), "unit": m.unit} for m in outcome.measured],
+        "measured": [{"name": m.name, "value": plain_number(m.value), "unit": m.unit} for m in outcome.measured],
     }
 
 
@@ -110,10 +110,10 @@ def _states(found: Mapping[str, Any]) -> dict[str, dict[str, int]]:
 
 
 def _plain(values: np.ndarray) -> Sequence[Any]:
-    return [_plain(v) if isinstance(v, np.ndarray) else _rounded(v) for v in values]
+    return [_plain(v) if isinstance(v, np.ndarray) else plain_number(v) for v in values]
 
 
-def _rounded(value: Any) -> Any:
+def plain_number(value: Any) -> Any:
     """A JSON value: six figures, None for a number that is none."""
     if value is None or isinstance(value, str):
         return None if value is None else str(value)

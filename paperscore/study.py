@@ -1,7 +1,8 @@
 """The designed study: which claims change when a choice that the paper leaves open is made otherwise.
 
-One factor at a time around the defaults of the variant "paper", then pairs of the most promising choices, on maps of
-11 × 11 cells. T1 is left out: no choice but the step changes what a run costs. Run it with `vocalis paper --study`.
+One factor at a time around the defaults of the variant "paper", then pairs of the most promising choices, then a
+designed set over what makes the posture, on maps of 11 × 11 cells. T1 is left out: no choice but the step changes
+what a run costs. Run it with `vocalis paper --study`.
 """
 
 from collections.abc import Callable, Mapping
@@ -18,7 +19,7 @@ from vocalis_paper.registry import CLAIMS
 from vocalis_paper.run import gather, warm_up
 from vocalis_paper.run_document import plain_outcome, provenance
 from vocalis_paper.run_score import cases_for, judge, score
-from vocalis_paper.study_choices import CHOICES, DEFAULT, Choice, both
+from vocalis_paper.study_choices import CHOICES, DEFAULT, DESIGNED, Choice, both
 
 COARSE = evenly(10)
 #: How many choices, each of another factor, are tried in pairs.
@@ -34,8 +35,8 @@ def study_document(
     """Run the study: the outcome of every claim for every choice, the default first, pairs last."""
     began = perf_counter()
     rows = [_tried(choice, pool, watched) for choice in (DEFAULT, *CHOICES)]
-    for first, second in combinations(promising(rows), 2):
-        rows.append(_tried(both(first, second), pool, watched))
+    paired = [both(first, second) for first, second in combinations(promising(rows), 2)]
+    rows += [_tried(choice, pool, watched) for choice in (*paired, *DESIGNED) if choice not in CHOICES]
     return {
         "kind": "study",
         "provenance": provenance(),
@@ -71,7 +72,7 @@ def _tried(choice: Choice, pool: ProcessPoolExecutor, watched: Watch) -> tuple[C
     base = simulation_from_dict(choice.change)
     warm_up(base)
     cases = {key: _coarse(case) for key, case in cases_for(base, _CLAIMS).items()}
-    gathered = gather(cases, pool, watched(choice.name), choice.level)
+    gathered = gather(cases, pool, watched(choice.name), choice.level, choice.fold)
     outcomes = judge(gathered.evidence, _CLAIMS)
     row = {
         "choice": choice.name,

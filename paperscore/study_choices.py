@@ -1,25 +1,30 @@
 """What the paper leaves open, as changes of the request: one row for each choice that could be made otherwise."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
-from vfcore.params import PAPER_STEP_S
-from vocalis_paper.run import LEVEL
+from vfcore.params import PAPER_STEP_S, Simulation
+from vfcore.posture.tables import constant_names, posture_set
+from vfcore.simulate import prepare
+from vocalis_paper.run import LEVEL, Prepare
+from vocalis_paper.study_fold import with_reported_alpha
 
 
 @dataclass(frozen=True, slots=True)
 class Choice:
     """One choice. ``factor``: what is left open; ``takes``: what is chosen here; ``change``: of the request document.
 
-    ``level``: the measure that stands for the level of a map. ``control``: a numerical setting
-    that should change nothing; it is not paired.
+    ``level``: the measure that stands for the level of a map. ``fold``: how folds are made, where no request says it.
+    ``control``: a numerical setting that should change nothing; it is not paired.
     """
 
     factor: str
     takes: str
     change: Mapping[str, Any]
     level: str = LEVEL
+    fold: Prepare = prepare
     control: bool = False
 
     @property
@@ -29,6 +34,21 @@ class Choice:
 
 def _constant(factor: str, takes: str, **constants: float) -> Choice:
     return Choice(factor, takes, {"constants": constants})
+
+
+def _tissues_of(name: str, *tissues: str) -> dict[str, float]:
+    """What differs from the default in the posturing constants of some tissues (``TA``, ``lig``, ``muc``)."""
+    own, other = posture_set(Simulation().posturing.set_name), posture_set(name)
+    names = (c for c in constant_names() if c.split("_")[0] in tissues and own.value(c) != other.value(c))
+    return {c: other.value(c) for c in names}
+
+
+def _tissue_mixes(name: str) -> Iterator[Choice]:
+    """Every mix of the default's tissues with those of a published set that has all else as the default."""
+    tissues = ("TA", "lig", "muc")
+    for count in (1, 2):
+        for some in combinations(tissues, count):
+            yield _constant("posturing tissue", f"{' and '.join(some)} of {name}", **_tissues_of(name, *some))
 
 
 DEFAULT = Choice("default", "", {})
@@ -42,9 +62,15 @@ CHOICES = (
     Choice("posturing set", "alzamendi2020", {"model": {"posture_set": "alzamendi2020"}}),
     Choice("posturing set", "titze2006", {"model": {"posture_set": "titze2006"}}),
     Choice("posturing set", "palaparthi2019", {"model": {"posture_set": "palaparthi2019"}}),
+    *_tissue_mixes("alzamendi2020"),
+    Choice("α in the bending stiffness", "1/(2 ratio + 1)", {}, fold=with_reported_alpha),
+    # Interpolated, the separation point would be where finer rows put it: to half a spacing of the default's.
+    Choice("separation point", "read on 20 rows", {"run": {"ny": 20}}),
     Choice("coupling gradient", "superior_stiff", {"model": {"coupling_gradient": "superior_stiff"}}),
     Choice("shear", "rotation", {"model": {"shear": "rotation"}}),
     Choice("initial state", "static", {"run": {"start": "static"}}),
+    Choice("initial state", "static, pressure rising over 0.1 s", {"run": {"start": "static", "pressure_rise_s": 0.1}}),
+    Choice("initial state", "flat, pressure rising over 0.1 s", {"run": {"pressure_rise_s": 0.1}}),
     Choice("window", "last second of 2 s", {"run": {"duration_s": 2.0}}),
     Choice("level", "at 30 cm", {}, level="spl_30cm_db"),
     Choice("vowel", "i", {"vowel": "i"}),
@@ -52,12 +78,15 @@ CHOICES = (
     Choice("vowel", "AE", {"vowel": "AE"}),
     Choice("time step", "the paper's", {"run": {"time_step_s": PAPER_STEP_S}}, control=True),
 )
+#: Beyond pairs of what helps alone: what else moves strain and angle, each with the shorter length of the posturing.
+_SHORT = CHOICES[0]
 
 
 def both(first: Choice, second: Choice) -> Choice:
     """Two choices at once."""
     level = next((choice.level for choice in (first, second) if choice.level != LEVEL), LEVEL)
-    return Choice(f"{first.name} +", second.name, _merged(first.change, second.change), level)
+    fold = next((choice.fold for choice in (first, second) if choice.fold is not prepare), prepare)
+    return Choice(f"{first.name} +", second.name, _merged(first.change, second.change), level, fold)
 
 
 def _merged(one: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:
@@ -65,3 +94,10 @@ def _merged(one: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:
     for key, value in other.items():
         merged[key] = _merged(merged[key], value) if isinstance(value, Mapping) and key in merged else value
     return merged
+
+
+DESIGNED = tuple(
+    both(choice, _SHORT)
+    for choice in CHOICES
+    if choice.factor in ("posturing tissue", "posturing set", "TA of the posturing")
+)

@@ -10,7 +10,7 @@ import vfcore
 from vocalis_server import errors, openapi
 from vocalis_server.guard import Guard
 from vocalis_server.jobs.document import API
-from vocalis_server.routes import catalogue, events, jobs, page, posture, results, session, simulate
+from vocalis_server.routes import catalogue, events, gestures, jobs, live, page, posture, results, session, simulate
 from vocalis_server.services import Services
 from vocalis_server.settings import Settings
 
@@ -31,7 +31,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         openapi_url=f"{API}/openapi.json",
     )
     app.state.services = services
-    for module in (catalogue, posture, simulate, jobs, results, events, session):
+    for module in (catalogue, posture, simulate, jobs, results, events, session, live, gestures):
         app.include_router(module.router, prefix=API)
     errors.install(app)
     openapi.install(app)

@@ -7,9 +7,11 @@ vfcore.request, which sees what a schema cannot say (a step too long for a grid,
 from itertools import groupby
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model, model_validator
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema, create_model, model_validator
 from pydantic_core import PydanticCustomError
 
+from vfcore.gesture.gesture import MOVABLE, Gesture, gesture_from_dict
+from vfcore.gesture.track import LATEST_S, MOST_BREAKPOINTS
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict
 from vfcore.schema import parameter_schema
@@ -20,28 +22,45 @@ OFFERED_KINDS = ("simulation",)
 ROWS: dict[str, dict[str, Any]] = {row["key"]: row for row in parameter_schema()}
 
 
-def _field(row: dict[str, Any]) -> tuple[Any, Any]:
-    """The (type, default) pair of ``create_model`` for one parameter."""
+def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
+    """The (type, default) pair of ``create_model`` for one parameter; ``moving``: breakpoints may stand for it."""
     by_set = "default_by_posture_set" in row
 
     def extra(schema: dict[str, Any]) -> None:
         if row["unit"] is not None:
             schema["unit"] = row["unit"]
         if by_set:  # not given: the value of the posture set in force, so there is no one default to show
-            del schema["default"]
+            schema.pop("default", None)
 
     text = " — ".join(text for text in (row["help"], row["source"]) if text)
     about: list[Any] = [Field(title=row["label"], description=text, json_schema_extra=extra)]
     if row["type"] == "choice":
         kind = Literal[tuple(row["options"])]
+    elif row["type"] == "boolean":
+        kind = bool
     else:
         kind = int if row["type"] == "integer" else float
         about.append(Field(ge=row["min"], le=row["max"], **({"allow_inf_nan": False} if kind is float else {})))
         if kind is int:
             about.append(BeforeValidator(_whole))
+    if moving and (row["key"] in MOVABLE or row["key"] == "vowel"):
+        about = [Field(title=row["label"], description=f"{text} — or [[time in s, value], …]", json_schema_extra=extra)]
+        kind = Annotated[Any, WithJsonSchema({"anyOf": [_one(row), _breakpoints(row)]})]  # the core validates it
     if row["nullable"]:
         kind = kind | None
     return Annotated[kind, *about], None if by_set else row["default"]
+
+
+def _one(row: dict[str, Any]) -> dict[str, Any]:
+    if row["type"] == "choice":
+        return {"enum": row["options"]}
+    return {"type": "number", "minimum": row["min"], "maximum": row["max"]}
+
+
+def _breakpoints(row: dict[str, Any]) -> dict[str, Any]:
+    time = {"type": "number", "minimum": 0, "maximum": LATEST_S}
+    pair = {"type": "array", "prefixItems": [time, _one(row)], "minItems": 2, "maxItems": 2}
+    return {"type": "array", "items": pair, "minItems": 1, "maxItems": MOST_BREAKPOINTS}
 
 
 def _whole(value: Any) -> Any:
@@ -49,14 +68,14 @@ def _whole(value: Any) -> Any:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
-def _parts() -> tuple[dict[str, Any], dict[str, type[BaseModel]]]:
+def _parts(suffix: str = "Body", moving: bool = False) -> tuple[dict[str, Any], dict[str, type[BaseModel]]]:
     """Fields at the top of a request, and one model per object in it."""
     top, objects = {}, {}
     split = sorted((key.rpartition(".")[::2] for key in ROWS), key=lambda pair: pair[0])
     for part, pairs in groupby(split, key=lambda pair: pair[0]):
-        fields = {name: _field(ROWS[f"{part}.{name}" if part else name]) for _, name in pairs}
+        fields = {name: _field(ROWS[f"{part}.{name}" if part else name], moving) for _, name in pairs}
         if part:
-            objects[part] = create_model(f"{part.capitalize()}Body", __config__=STRICT, **fields)
+            objects[part] = create_model(f"{part.capitalize()}{suffix}", __config__=STRICT, **fields)
         else:
             top = fields
     return top, objects
@@ -90,6 +109,19 @@ JobBody = create_model(
     __doc__="A simulation to be run as a job.",
     fresh=(Annotated[bool, Field(description="run again even when the same request has a finished job")], False),
 )
+_MOVING_TOP, _MOVING_OBJECTS = _parts("GestureBody", moving=True)
+GestureBody = create_model(
+    "GestureBody",
+    __config__=STRICT,
+    __doc__="A simulation in which numbers may be breakpoints over time, [[time in s, value], …].",
+    kind=(Literal["simulation", "gesture"], "gesture"),
+    **(_MOVING_TOP | {name: (model | None, None) for name, model in _MOVING_OBJECTS.items()}),
+)
+
+
+def gesture_of(body: BaseModel) -> Gesture:
+    """The validated gesture; ParameterError for what the schema could not see."""
+    return gesture_from_dict(body.model_dump(exclude_unset=True, exclude={"kind"}))
 
 
 def simulation_of(body: BaseModel) -> Simulation:
@@ -106,6 +138,8 @@ def allowed_at(path: str) -> str | None:
         return None
     if row["options"]:
         return " | ".join(row["options"])
+    if row["type"] == "boolean":
+        return "true | false"
     unit = "" if row["unit"] == "1" else f" {row['unit']}"
     return f"{row['min']:g} to {row['max']:g}{unit}" + (", or null" if row["nullable"] else "")
 

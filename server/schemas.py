@@ -106,6 +106,34 @@ class ArrayInfo(BaseModel):
     dims: list[str]
 
 
+class ErrorLevel(BaseModel):
+    """One of the runs compared, the one asked for first."""
+
+    nx: int
+    ny: int
+    time_step_s: float
+    phonation_state: str
+
+
+class ErrorBarAnswer(BaseModel):
+    """Of one measure, in its unit: the limit of a fine grid is expected within ``half_width`` of the value."""
+
+    half_width: float | None
+    limit: float | None = Field(description="what a fine grid would give")
+    order: float | None = Field(description="order of convergence used")
+    observed: bool = Field(description="whether that order was found in the runs or is that of the scheme")
+    unit: str
+    reason: str | None = Field(description="why there is no bar")
+
+
+class ErrorEstimateAnswer(BaseModel):
+    """Discretisation error of the measures, by runs on finer grids; on request (`run.error_estimate`)."""
+
+    method: str
+    levels: list[ErrorLevel]
+    measures: dict[str, ErrorBarAnswer]
+
+
 class Result(BaseModel):
     """A finished simulation, but for the arrays themselves."""
 
@@ -113,6 +141,7 @@ class Result(BaseModel):
     phonation_state: Literal["none", "periodic", "subharmonic", "irregular"]
     periodicity: float | None
     measures: dict[str, MeasuredValue]
+    error_estimate: ErrorEstimateAnswer | None = Field(description="null unless the request asked for it")
     posture: Posture
     coefficients: Coefficients
     static_shape: StaticShape
@@ -164,6 +193,33 @@ class SweepResult(BaseModel):
 
 class SimulateAnswer(Result):
     id: str = Field(description="address of the result, as for a job")
+    links: dict[str, str]
+
+
+class Contour(BaseModel):
+    unit: str
+    label: str
+    values: list[float | None] = Field(description="one per 10 ms; null where there is none")
+
+
+class GestureSegment(BaseModel):
+    start_s: float
+    end_s: float
+    phonation_state: Literal["none", "periodic", "subharmonic", "irregular"]
+    explanation: str
+    measures: dict[str, MeasuredValue]
+
+
+class GestureAnswer(BaseModel):
+    """A rendered gesture: contours every 10 ms, and measures of each stretch between breakpoints."""
+
+    model_config = ConfigDict(extra="allow")
+    id: str
+    kind: Literal["gesture"]
+    duration_s: float
+    contours: dict[str, Contour]
+    segments: list[GestureSegment]
+    provenance: dict[str, Any]
     links: dict[str, str]
 
 

@@ -8,6 +8,7 @@ from starlette.requests import HTTPConnection
 
 from vfcore.kernels.jit import data_directory
 from vocalis_server.access import Access, access_for, client_of
+from vocalis_server.gestures import GestureCache
 from vocalis_server.jobs.archive import Archive
 from vocalis_server.jobs.cluster import DaskCluster
 from vocalis_server.jobs.database import Database
@@ -21,6 +22,7 @@ from vocalis_server.jobs.points import PointStore
 from vocalis_server.jobs.retention import Limits, Retention
 from vocalis_server.jobs.store import JobStore
 from vocalis_server.kernels import Kernels
+from vocalis_server.live.host import Host
 from vocalis_server.settings import Settings
 
 
@@ -41,6 +43,8 @@ class Services:
     desk: Desk
     postures: Interactive
     runs: Interactive
+    voices: Host
+    gestures: GestureCache
 
     @classmethod
     def of(cls, settings: Settings) -> "Services":
@@ -65,6 +69,8 @@ class Services:
             desk=Desk(ledger, store, points, archive, engine, settings.jobs_per_client, settings.queue_length),
             postures=Interactive(1, settings.interactive_waiting, "posture"),
             runs=Interactive(settings.interactive_slots, settings.interactive_waiting, "run"),
+            voices=Host(settings.live_voices),
+            gestures=GestureCache(),
         )
 
     def open(self) -> None:
@@ -90,6 +96,7 @@ class Services:
         self.events.close()
         self.retention.close()
         self.desk.engine.close()
+        self.voices.close()
         self.database.close()
         self.folder.close()
 

@@ -5,10 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from vfcore.constants import FoldConstants
-from vfcore.kernels.layout import FIRST, SCALARS, Layout
+from vfcore.kernels.layout import SCALARS, Layout
 from vfcore.params import Simulation
 from vfcore.tissue.beam import beam_operator
 from vfcore.tissue.coefficients import Coefficients
+
+CACHE_LINE = 64  # octets
 
 
 @dataclass(frozen=True)
@@ -82,8 +84,8 @@ def scalars(fold: Fold, time_step_s: float) -> np.ndarray:
         "half_rho_a": 0.5 * k.rho_a_kg_m3,
         "twelve_mu_a": 12.0 * k.mu_a_pa_s,
         "T_over_dx2": c.membrane_tension_n_m / fold.dx**2,
-        "G_shear": c.membrane_shear_n_m,
-        "eta_shear": c.membrane_shear_viscosity_n_s_m,
+        "G_shear_per_dy2": c.membrane_shear_n_m / fold.dy**2,
+        "eta_shear_per_dy2": c.membrane_shear_viscosity_n_s_m / fold.dy**2,
         "C_coup": k.C_coup_pa_s_m,
         "K_col": k.K_col_pa_m,
         "C_col": k.C_col_pa_s_m,
@@ -97,46 +99,80 @@ def scalars(fold: Fold, time_step_s: float) -> np.ndarray:
     return np.array([values[name] for name in SCALARS])
 
 
+def empty_buffer(layout: Layout, precision: str = "float64") -> np.ndarray:
+    """Zeros (layout.size,) that start on a cache line, so that a run does not cost more by where it happens to lie."""
+    size = np.dtype(precision).itemsize
+    octets = np.zeros(layout.size * size + CACHE_LINE, np.uint8)
+    start = -octets.ctypes.data % CACHE_LINE
+    return octets[start : start + layout.size * size].view(precision)
+
+
 def new_buffer(fold: Fold, time_step_s: float) -> np.ndarray:
     """A buffer with the fixed fields filled and the state at rest (flat, unmoving)."""
     layout = Layout(fold.nx, fold.ny)
-    buffer = np.zeros(layout.size)
-    rows = slice(FIRST, FIRST + fold.nx)
-    medial = _field(buffer, layout, "G")
+    buffer = empty_buffer(layout)
+    fill(buffer, layout, 0, fold, time_step_s)
+    return buffer
+
+
+def fill(buffer: np.ndarray, layout: Layout, place: int, fold: Fold, time_step_s: float) -> None:
+    """Write the fixed fields of ``fold`` as number ``place`` of the folds side by side in ``buffer``."""
+    rows = slice(layout.anterior, layout.anterior + fold.nx)
+    medial = _field(buffer, layout, "G")[:, :, place]
     medial[:] = 1.0  # idle columns: far from contact
     medial[:, rows] = fold.medial_plane_m
-    _field(buffer, layout, "K_coup")[:] = fold.K_coup_pa_m[:, None]
 
-    inner = slice(FIRST + 1, FIRST + fold.nx - 1)
-    _line(buffer, layout, "inverse_density")[inner] = 1.0 / fold.coefficients.membrane_density_kg_m2
-    width = _line(buffer, layout, "width")
-    width[inner] = fold.dx
-    width[FIRST + fold.nx - 1] = 0.5 * fold.dx
-    _line(buffer, layout, "beam_load")[inner] = fold.beam_load_n_m / fold.coefficients.beam_density_kg_m
+    def per_row(name: str) -> np.ndarray:
+        start = layout.row_numbers(name)
+        return buffer[start : start + fold.ny * layout.postures].reshape(fold.ny, layout.postures)[:, place]
+
+    per_row("K_coup")[:] = fold.K_coup_pa_m
+    weight, per_weight = per_row("weight"), per_row("per_weight")
+    weight[:], per_weight[:] = 1.0, 1.0
+    weight[[0, -1]], per_weight[[0, -1]] = 0.5, 2.0
+
+    def line(name: str) -> np.ndarray:
+        return _line(buffer, layout, name)[:, place]
+
+    inner, last = slice(layout.anterior + 1, layout.anterior + fold.nx - 1), layout.anterior + fold.nx - 1
+    line("inverse_density")[inner] = 1.0 / fold.coefficients.membrane_density_kg_m2
+    line("width")[inner] = fold.dx
+    line("width")[last] = 0.5 * fold.dx
+    line("column")[:] = np.arange(layout.stride // layout.postures) - layout.anterior
+    line("beam_load")[inner] = fold.beam_load_n_m / fold.coefficients.beam_density_kg_m
 
     n = fold.nx - 2
     A = fold.beam_matrix_n_m2 / fold.coefficients.beam_density_kg_m
     inverse = np.linalg.inv(np.eye(n) - 0.25 * time_step_s**2 * A)
-    block = buffer[layout.beam_inverse :].reshape(n, layout.columns)
-    block[:, :n] = inverse.T
-    return buffer
+    block = buffer[layout.beam_inverse :].reshape(n, layout.columns, layout.postures)
+    block[:, :n, place] = inverse.T
 
 
 def _field(buffer: np.ndarray, layout: Layout, name: str) -> np.ndarray:
     start = layout.field(name)
-    return buffer[start : start + layout.ny * layout.stride].reshape(layout.ny, layout.stride)
+    return buffer[start : start + layout.ny * layout.stride].reshape(layout.ny, -1, layout.postures)
 
 
 def _line(buffer: np.ndarray, layout: Layout, name: str) -> np.ndarray:
     start = layout.line(name)
-    return buffer[start : start + layout.stride]
+    return buffer[start : start + layout.stride].reshape(-1, layout.postures)
+
+
+def membranes(buffer: np.ndarray, layout: Layout, name: str = "w") -> np.ndarray:
+    """A view (ny, nx, postures) of a field of the buffer, ends included."""
+    return _field(buffer, layout, name)[:, layout.anterior : layout.anterior + layout.nx]
+
+
+def beams(buffer: np.ndarray, layout: Layout, name: str = "w_b") -> np.ndarray:
+    """A view (nx, postures) of a line of the buffer, ends included."""
+    return _line(buffer, layout, name)[layout.anterior : layout.anterior + layout.nx]
 
 
 def membrane(buffer: np.ndarray, fold: Fold, name: str = "w") -> np.ndarray:
-    """A view (ny, nx) of a field of the buffer, ends included."""
-    return _field(buffer, Layout(fold.nx, fold.ny), name)[:, FIRST : FIRST + fold.nx]
+    """A view (ny, nx) of a field of a buffer of one fold, ends included."""
+    return membranes(buffer, Layout(fold.nx, fold.ny), name)[:, :, 0]
 
 
 def beam(buffer: np.ndarray, fold: Fold, name: str = "w_b") -> np.ndarray:
-    """A view (nx,) of a line of the buffer, ends included."""
-    return _line(buffer, Layout(fold.nx, fold.ny), name)[FIRST : FIRST + fold.nx]
+    """A view (nx,) of a line of a buffer of one fold, ends included."""
+    return beams(buffer, Layout(fold.nx, fold.ny), name)[:, 0]

@@ -107,11 +107,11 @@ def _band_limited(waveform: np.ndarray, up: int, down: int, band: float) -> np.n
     """Polyphase resampling by up/down, keeping ``band`` (0 to 1) of the input's own band."""
     from scipy.signal import resample_poly  # half a second to import: not before there is sound to make
 
-    return resample_poly(waveform, up, down, window=_low_pass(up, band))
+    return resample_poly(waveform, up, down, window=low_pass(up, band))
 
 
 @lru_cache(maxsize=16)
-def _low_pass(up: int, band: float) -> np.ndarray:
+def low_pass(up: int, band: float) -> np.ndarray:
     """Linear-phase Kaiser low-pass at ``up`` times the input rate, stop band from half of ``band``'s rate."""
     from scipy.signal import firwin, kaiserord
 

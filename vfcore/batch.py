@@ -1,13 +1,22 @@
-"""Many simulations reduced to their scalars: what a sweep stores of each point."""
+"""Many simulations reduced to their scalars, and many static shapes: what maps and sweeps are made of."""
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import islice
 from typing import NamedTuple
 
-from vfcore.errors import Cancelled, ParameterError, VocalisError
-from vfcore.measures.catalogue import MeasureReport
+from vfcore.assemble import Fold
+from vfcore.errors import ParameterError, VocalisError
+from vfcore.march_batch import Motion, Outcome, march_many
+from vfcore.measures.catalogue import MeasureReport, known_keys, measure_all
 from vfcore.params import Simulation
+from vfcore.posture.equilibrium import solve_each_posture
 from vfcore.posture.solution import PostureSolution
-from vfcore.simulate import simulate
+from vfcore.simulate import Prepared, fold_of, measured_sound, posture_of, signals_of, waveforms
+from vfcore.stability import time_step_s
+from vfcore.statics import static_shape_of
+
+BLOCK = 64  # requests taken together, a multiple of the lanes of the step; bounds the memory of a long list
+PRECISIONS = ("float64", "float32")
 
 
 class Point(NamedTuple):
@@ -27,23 +36,102 @@ def run_points(
 ) -> Iterator[Point]:
     """Run the requests and yield one Point each, in their order.
 
-    ``measures``: the keys wanted, None for all; others may be there too. ``precision``: there is one only.
-
-    ``stop()`` is asked between chunks of voice; Cancelled is raised when it answers true. Any other error
-    belongs to its point and leaves the others alone.
+    ``measures``: the keys wanted, None for all of the catalogue. ``precision``: "float64" or "float32" of the march.
+    A point is the same, bit for bit, whatever points run beside it. ``stop()`` is asked between chunks of voice;
+    Cancelled is raised when it answers true. Any other error belongs to its point and leaves the others alone.
+    Raises ParameterError for an unknown measure or precision.
     """
-    if precision != "float64":
-        raise ParameterError("precision", f"{precision!r} is not offered", "float64")
-    return _points(requests, stop)
+    if precision not in PRECISIONS:
+        raise ParameterError("precision", f"{precision!r} is not known", " | ".join(PRECISIONS))
+    keys = None if measures is None else known_keys(measures)
+    return _points(requests, stop, keys, precision == "float32")
 
 
-def _points(requests: Sequence[Simulation], stop: Callable[[], bool] | None) -> Iterator[Point]:
-    for request in requests:
-        try:
-            result = simulate(request, stop=stop)
-        except Cancelled:
-            raise
-        except VocalisError as error:
-            yield Point(None, None, error)
+def static_shapes(requests: Sequence[Simulation]) -> Iterator[Prepared | VocalisError]:
+    """Posture, fold and static shape of each request, in order, or the error that says why there is none."""
+    for _, (posture, found) in _folds(requests):
+        if isinstance(found, Fold):
+            try:
+                yield Prepared(posture, found, static_shape_of(found))
+            except VocalisError as error:
+                yield error
         else:
-            yield Point(result.posture, result.report, None)
+            yield found
+
+
+def _points(requests, stop, keys, single_precision) -> Iterator[Point]:
+    folds = _folds(requests)
+    while block := list(islice(folds, BLOCK)):
+        done, motions = {}, {}
+        for place, (request, (_, found)) in enumerate(block):
+            try:
+                if isinstance(found, VocalisError):
+                    raise found
+                motions[place] = _motion(request, found)
+            except VocalisError as error:
+                done[place] = Point(None, None, error)
+        places, following = list(motions), 0
+        for index, outcome in march_many(list(motions.values()), single_precision=single_precision, stop=stop):
+            request, (posture, fold) = block[places[index]]
+            done[places[index]] = _reduced(request, posture, fold, outcome, keys)
+            while following in done:
+                yield done.pop(following)
+                following += 1
+        for place in sorted(done):
+            yield done[place]
+
+
+def _motion(request: Simulation, fold: Fold) -> Motion:
+    run = request.run
+    start = static_shape_of(fold) if run.start == "static" else None
+    step_s = time_step_s(run, fold)
+    return Motion(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+
+
+def _reduced(request: Simulation, posture: PostureSolution, fold: Fold, outcome: Outcome, keys) -> Point:
+    if outcome.problem is not None:
+        return Point(None, None, outcome.problem)
+    try:
+        arrays = waveforms(outcome.record, outcome.sample_s, fold.nx)
+        report = measure_all(
+            signals_of(request, posture, fold, arrays, outcome.sample_s),
+            keys,
+            radiate=lambda: measured_sound(request, arrays["glottal_flow_m3_s"], outcome.sample_s),
+        )
+    except VocalisError as error:
+        return Point(None, None, error)
+    return Point(posture, report, None)
+
+
+def _folds(requests: Sequence[Simulation]):
+    """(request, (posture, fold)) of each in order; (None, error) in place of those that have none."""
+    source = iter(requests)
+    while block := list(islice(source, BLOCK)):
+        postures = _postures(block)
+        for request, posture in zip(block, postures, strict=True):
+            if isinstance(posture, VocalisError):
+                yield request, (None, posture)
+                continue
+            try:
+                yield request, (posture, fold_of(request, posture))
+            except VocalisError as error:
+                yield request, (None, error)
+
+
+def _postures(block: list[Simulation]) -> list[PostureSolution | VocalisError]:
+    """Those alike in their posturing constants are solved in one call, whose rows do not see each other."""
+    found: list = [None] * len(block)
+    alike: dict[tuple, list[int]] = {}
+    for place, request in enumerate(block):
+        if request.posture is None:
+            alike.setdefault((request.posturing, request.constants.L_0_m), []).append(place)
+        else:
+            found[place] = posture_of(request)
+    for (posturing, length), places in alike.items():
+        try:
+            solved = solve_each_posture([block[place].activation for place in places], posturing, length)
+        except VocalisError as error:
+            solved = [error] * len(places)
+        for place, posture in zip(places, solved, strict=True):
+            found[place] = posture
+    return found

@@ -16,6 +16,7 @@ Names: Södersten, Hertegård & Hammarberg (1995); the thresholds are this proje
 """
 
 from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 
@@ -60,12 +61,9 @@ def describe_closure(gap_m: np.ndarray, x_m: np.ndarray) -> ClosureShape:
 
 def _long_runs(closed: np.ndarray) -> list[tuple[bool, int]]:
     """Runs of equal state, those shorter than SHORTEST_REGION merged into their neighbours."""
-    edges = np.flatnonzero(np.diff(closed)) + 1
-    pieces = np.split(closed, edges)
+    pieces = [(state, len(list(run))) for state, run in groupby(closed.tolist())]
     shortest = SHORTEST_REGION * len(closed)
-    kept = [(bool(piece[0]), len(piece)) for piece in pieces if len(piece) > shortest]
-    if not kept:
-        kept = [(bool(closed.mean() > 0.5), len(closed))]
+    kept = [piece for piece in pieces if piece[1] > shortest] or [(bool(closed.mean() > 0.5), len(closed))]
     merged = [kept[0]]
     for state, length in kept[1:]:
         if state == merged[-1][0]:

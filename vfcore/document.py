@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from vfcore.error_estimate import METHOD
 from vfcore.measures.measure import Measure
 from vfcore.posture.solution import PostureSolution
 from vfcore.request import simulation_to_dict
@@ -51,7 +52,7 @@ _NOT_FINITE = "The computed value is not a finite number."
 
 def posture_document(prepared: Prepared) -> dict[str, Any]:
     """Posture, coefficients and static shape of a request that has not been run."""
-    return _without_gaps(
+    return without_gaps(
         {
             "posture": _posture(prepared.posture),
             "coefficients": _coefficients(prepared.fold.coefficients),
@@ -70,7 +71,8 @@ def result_document(result: SimulationResult) -> dict[str, Any]:
         "periodicity": report.periodicity,
         "cycles": report.cycles,
         "cycle_is_complete": result.cycle_is_complete,
-        "measures": {key: _measure(measure) for key, measure in report.measures.items()},
+        "measures": {key: measure_document(measure) for key, measure in report.measures.items()},
+        "error_estimate": _error_estimate(result),
         "posture": _posture(result.posture),
         "coefficients": _coefficients(result.coefficients),
         "static_shape": _static_shape(result.static),
@@ -85,7 +87,7 @@ def result_document(result: SimulationResult) -> dict[str, Any]:
         },
         "provenance": dataclasses.asdict(result.provenance) | {"request": simulation_to_dict(result.request)},
     }
-    document = _without_gaps(document)
+    document = without_gaps(document)
     if report.periodicity is None:
         document["null_reasons"]["periodicity"] = report.explanation
     return document
@@ -118,13 +120,29 @@ def _static_shape(shape: StaticShape) -> dict[str, Any]:
     }
 
 
-def _measure(measure: Measure) -> dict[str, Any]:
+def measure_document(measure: Measure) -> dict[str, Any]:
+    """A measure in the words of the API: value, unit, and the reason where there is no value."""
     if measure.value is None or math.isfinite(measure.value):
         return dataclasses.asdict(measure)
     return {"value": None, "unit": measure.unit, "reason": measure.reason or _NOT_FINITE}
 
 
-def _without_gaps(document: dict[str, Any]) -> dict[str, Any]:
+def _error_estimate(result: SimulationResult) -> dict[str, Any] | None:
+    """Method, the runs compared, and per measure its bar in the measure's unit; None where none was asked for."""
+    estimate = result.error_estimate
+    if estimate is None:
+        return None
+    return {
+        "method": METHOD,
+        "levels": [level._asdict() for level in estimate.levels],
+        "measures": {
+            key: dataclasses.asdict(bar) | {"unit": result.report.measures[key].unit}
+            for key, bar in estimate.bars.items()
+        },
+    }
+
+
+def without_gaps(document: dict[str, Any]) -> dict[str, Any]:
     """The document with numpy scalars as Python's, non-finite numbers as null and their paths in ``null_reasons``."""
     reasons: dict[str, str] = {}
 

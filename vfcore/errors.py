@@ -7,7 +7,13 @@ maps the class to a status in one table.
 
 
 class VocalisError(Exception):
-    """Base of every error this package raises on purpose."""
+    """Base of every error this package raises on purpose.
+
+    Errors cross process boundaries: each is rebuilt from its sentence and its attributes, not from its constructor.
+    """
+
+    def __reduce__(self):
+        return _rebuilt, (type(self), self.args), self.__dict__
 
 
 class ParameterError(VocalisError, ValueError):
@@ -55,3 +61,9 @@ class StaticShapeError(VocalisError):
 
 class Cancelled(VocalisError):
     """The caller raised the stop flag; nothing partial is returned."""
+
+
+def _rebuilt(kind: type[VocalisError], args: tuple) -> VocalisError:
+    error = kind.__new__(kind)
+    error.args = args
+    return error

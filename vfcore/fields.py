@@ -50,6 +50,11 @@ def choice(default: str | None, label: str, options: tuple[str, ...], *, source:
     )
 
 
+def flag(default: bool, label: str, *, source: str, help: str = ""):
+    """A field that is true or false."""
+    return dataclasses.field(default=default, metadata={"label": label, "flag": True, "source": source, "help": help})
+
+
 def validate(instance, prefix: str = "") -> None:
     """Check every declared field of a dataclass; raise ParameterError for the first bad one."""
     for spec in dataclasses.fields(instance):
@@ -57,7 +62,10 @@ def validate(instance, prefix: str = "") -> None:
             continue
         path = f"{prefix}{spec.name}"
         value = getattr(instance, spec.name)
-        if "options" in spec.metadata:
+        if "flag" in spec.metadata:
+            if not isinstance(value, bool):
+                raise ParameterError(path, f"{value!r} is neither true nor false", "true | false")
+        elif "options" in spec.metadata:
             options = spec.metadata["options"]
             if value not in options and not (value is None and spec.default is None):
                 raise ParameterError(path, f"{value!r} is not known", " | ".join(options))

@@ -35,7 +35,7 @@ class March:
         self.fold = fold
         self.time_step_s = time_step_s
         self.pressure_pa, self.rise_s = pressure_pa, rise_s
-        self.record_every = max(1, math.floor(DEFAULT_STEP_S / time_step_s + 1e-9))
+        self.record_every = record_every(time_step_s)
         self.buffer = assemble.new_buffer(fold, time_step_s)
         self._w = assemble.membrane(self.buffer, fold)
         self.scalars = assemble.scalars(fold, time_step_s)
@@ -45,10 +45,7 @@ class March:
 
     def start_flat(self) -> None:
         """w = 1 nm · sin(πx/L) sin(πy/b), everything else at rest."""
-        fold = self.fold
-        bump = np.sin(np.pi * fold.y_m / fold.y_m[-1])[:, None] * np.sin(np.pi * fold.x_m / fold.x_m[-1])
-        bump[[0, -1]], bump[:, [0, -1]] = 0.0, 0.0  # exact zeros: sin(π) is not
-        assemble.membrane(self.buffer, fold)[:] = FLAT_BUMP_M * bump
+        assemble.membrane(self.buffer, self.fold)[:] = flat_bump(self.fold)
 
     def start_static(self, shape: StaticShape) -> None:
         """The static shape, unmoving; with the rotation equation φ = ∂_y w, where the shear vanishes."""
@@ -88,28 +85,19 @@ class March:
         before = self.buffer.copy()
         self._checkpoints.append((self.steps, before))
         steps = np.arange(self.steps, self.steps + len(record) * self.record_every)
-        self._advance(self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record)
+        self._advance(self.buffer, self.scalars, self.pressure_at(steps), self.record_every, record.reshape(-1))
         self.steps += len(steps)
         w = self._w
         if not (w.max() < LARGEST_DISPLACEMENT_M and w.min() > -LARGEST_DISPLACEMENT_M):  # false for NaN
             self._locate_divergence(before, steps)
 
     def _locate_divergence(self, buffer: np.ndarray, steps: np.ndarray) -> None:
-        scratch = np.empty((1, len(RECORD)))
+        scratch = np.empty(len(RECORD))
         for step in steps:
             self._advance(buffer, self.scalars, self.pressure_at(np.array([step])), 1, scratch)
-            w = np.abs(assemble.membrane(buffer, self.fold))
-            bad = ~(w < LARGEST_DISPLACEMENT_M)
-            if bad.any():
-                j, i = np.argwhere(bad)[0]
-                raise DivergenceError(
-                    (step + 1) * self.time_step_s,
-                    i / (self.fold.nx - 1),
-                    j / (self.fold.ny - 1),
-                    f"the displacement passed {LARGEST_DISPLACEMENT_M * 1e3:g} mm",
-                    "Try a lower pressure or the constants' default values; if the same happens at a step below "
-                    f"{self.time_step_s:.3g} s, the step is not to blame.",
-                )
+            beyond = ~(np.abs(assemble.membrane(buffer, self.fold)) < LARGEST_DISPLACEMENT_M)
+            if beyond.any():
+                raise diverged(self.fold, self.time_step_s, step, beyond)
 
     def cycle(self, first_sample: int, last_sample: int, phases: int) -> dict[str, np.ndarray]:
         """Fields at ``phases`` evenly spaced times in [first_sample, last_sample), read back from a checkpoint.
@@ -122,19 +110,18 @@ class March:
         wanted = np.round(wanted).astype(int)
         at, buffer = next(item for item in reversed(self._checkpoints) if item[0] <= wanted[0])
         buffer = buffer.copy()
-        w, v, dv = (assemble.membrane(buffer, fold, name) for name in ("w", "v", "dv"))
+        w, velocity = (assemble.membrane(buffer, fold, name) for name in ("w", "v_star"))
         beam = assemble.beam(buffer, fold)
         shape = (phases, fold.ny, fold.nx)
         w_m, p_aero, p_col = np.empty(shape), np.empty(shape), np.empty(shape)
         w_b = np.empty((phases, fold.nx))
-        scratch = np.empty((1, len(RECORD)))
+        scratch = np.empty(len(RECORD))
         for phase, step in enumerate(wanted):
             if step > at:
                 steps = np.arange(at, step)
                 self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch)
                 at = step
             w_m[phase], w_b[phase] = w, beam
-            velocity = v + 0.5 * dv  # as the step extrapolates it
             surface_pressures(
                 w_m[phase], velocity, fold.medial_plane_m, self.pressure_at(np.array([step]))[0], fold.dy,
                 k.alpha_s, 0.5 * k.rho_a_kg_m3, 12.0 * k.mu_a_pa_s, k.K_col_pa_m, k.C_col_pa_s_m,
@@ -152,6 +139,31 @@ class March:
     def oldest_sample(self) -> int:
         """The first recorded sample that ``cycle`` can still read back."""
         return -(-self._checkpoints[0][0] // self.record_every)
+
+
+def record_every(time_step_s: float) -> int:
+    """Steps per recorded sample, so that the record comes at about 35 kHz for any step."""
+    return max(1, math.floor(DEFAULT_STEP_S / time_step_s + 1e-9))
+
+
+def flat_bump(fold: assemble.Fold) -> np.ndarray:
+    """1 nm · sin(πx/L) sin(πy/b), (ny, nx)."""
+    bump = np.sin(np.pi * fold.y_m / fold.y_m[-1])[:, None] * np.sin(np.pi * fold.x_m / fold.x_m[-1])
+    bump[[0, -1]], bump[:, [0, -1]] = 0.0, 0.0  # exact zeros: sin(π) is not
+    return FLAT_BUMP_M * bump
+
+
+def diverged(fold: assemble.Fold, time_step_s: float, step: int, beyond: np.ndarray) -> DivergenceError:
+    """The error of a fold that after ``step`` is out of bounds at the nodes ``beyond`` (ny, nx)."""
+    j, i = np.argwhere(beyond)[0]
+    return DivergenceError(
+        (step + 1) * time_step_s,
+        i / (fold.nx - 1),
+        j / (fold.ny - 1),
+        f"the displacement passed {LARGEST_DISPLACEMENT_M * 1e3:g} mm",
+        "Try a lower pressure or the constants' default values; if the same happens at a step below "
+        f"{time_step_s:.3g} s, the step is not to blame.",
+    )
 
 
 def contact_location(record: np.ndarray, nx: int) -> np.ndarray:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from vfcore.constants import FoldConstants
 from vfcore.errors import ParameterError
-from vfcore.fields import PAPER, check_number, choice, quantity, validate
+from vfcore.fields import PAPER, check_number, choice, flag, quantity, validate
 from vfcore.posture.tables import POSTURE_SETS, PosturingConstants, posture_set
 
 VOWELS = ("i", "I", "e", "E", "AE", "V", "a", "O", "o", "U", "u")
@@ -133,6 +133,12 @@ class Run:
     pressure_rise_s: float = quantity(
         0.0, "s", "rise time of the lung pressure", 0, 10, source="0: a step, as in the paper",
         help="linear ramp from 0 to the full pressure; 0 is a step", step=0.01,
+    )  # fmt: skip
+
+    error_estimate: bool = flag(
+        False, "error bars of the measures", source="docs/model.md, section 4",
+        help="two more runs on finer grids say how far each measure is from the limit of a fine grid; about 12 times "
+        "the work",
     )  # fmt: skip
 
     def __post_init__(self):

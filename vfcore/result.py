@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfcore.error_estimate import ErrorEstimate
 from vfcore.measures.catalogue import MeasureReport
 from vfcore.params import Simulation
 from vfcore.posture.solution import PostureSolution
@@ -74,3 +75,4 @@ class SimulationResult:
     arrays: dict[str, np.ndarray]
     cycle_is_complete: bool
     provenance: Provenance
+    error_estimate: ErrorEstimate | None = None  # of a request that asked for one

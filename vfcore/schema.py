@@ -59,8 +59,8 @@ def parameter_schema() -> list[dict[str, Any]]:
     """One row per request parameter, in the order of display.
 
     Keys of a row: ``key`` (dotted path in the request), ``label``, ``symbol``, ``unit``, ``type`` (number | integer |
-    choice), ``nullable``, ``default``, ``min``, ``max``, ``step``, ``group`` (one of GROUPS), ``help``, ``source``,
-    ``options`` (of a choice, else None); and of posturing constants ``default_by_posture_set``.
+    choice | boolean), ``nullable``, ``default``, ``min``, ``max``, ``step``, ``group`` (one of GROUPS), ``help``,
+    ``source``, ``options`` (of a choice, else None); and of posturing constants ``default_by_posture_set``.
     """
     rows = [
         *_rows(Activation, "activation.", MUSCLES),
@@ -102,15 +102,15 @@ def _posturing_rows() -> Iterator[dict[str, Any]]:
 
 
 def _row(key: str, default, metadata: Mapping[str, Any], group: str) -> dict[str, Any]:
-    options = metadata.get("options")
-    is_number = options is None
+    options, is_flag = metadata.get("options"), "flag" in metadata
+    is_number = options is None and not is_flag
     low, high = metadata.get("low"), metadata.get("high")
     return {
         "key": key,
         "label": metadata["label"],
         "symbol": metadata.get("symbol", ""),
         "unit": metadata["unit"] if is_number else None,
-        "type": ("integer" if metadata.get("integer") else "number") if is_number else "choice",
+        "type": _type(metadata),
         "nullable": default is None,
         "default": default,
         "min": low,
@@ -119,8 +119,16 @@ def _row(key: str, default, metadata: Mapping[str, Any], group: str) -> dict[str
         "group": group,
         "help": metadata.get("help", ""),
         "source": metadata["source"],
-        "options": None if is_number else list(options),
+        "options": None if options is None else list(options),
     }
+
+
+def _type(metadata: Mapping[str, Any]) -> str:
+    if "flag" in metadata:
+        return "boolean"
+    if "options" in metadata:
+        return "choice"
+    return "integer" if metadata.get("integer") else "number"
 
 
 def sensible_step(default: float | None, low: float, high: float) -> float:

@@ -1,27 +1,31 @@
 """The main job: muscles in; posture, vibration, pressures, measures and sound out."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime
+from functools import cache
 from importlib.metadata import version
 from typing import NamedTuple
 
 import numpy as np
 
 from vfcore.acoustics.impulse_response import radiate
-from vfcore.acoustics.tract import vowel_tract
+from vfcore.acoustics.tract import Tract, vowel_tract
 from vfcore.assemble import Fold, assemble
+from vfcore.error_estimate import REFINEMENTS, Level, companion_step_s, companions, richardson, without_bars
+from vfcore.errors import DivergenceError
 from vfcore.kernels.layout import RECORD
 from vfcore.march import March, contact_location
 from vfcore.measures.catalogue import MeasureReport, measure_all
-from vfcore.measures.signals import Signals
+from vfcore.measures.signals import Signals, Sound, window_start
 from vfcore.params import Simulation
 from vfcore.posture.equilibrium import solve_posture
 from vfcore.posture.solution import PostureSolution
 from vfcore.result import Provenance, SimulationResult
-from vfcore.stability import time_step_s
+from vfcore.stability import longest_stable_step_s, time_step_s
 from vfcore.statics import StaticShape, static_shape_of
-from vfcore.tissue.coefficients import coefficients
+from vfcore.tissue.coefficients import Coefficients, coefficients
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 PHASES = 100  # of the stored cycle
@@ -50,16 +54,24 @@ def posture_of(request: Simulation) -> PostureSolution:
     )  # fmt: skip
 
 
-def prepare(request: Simulation) -> Prepared:
+def prepare(request: Simulation, alter: Callable[[Coefficients], Coefficients] = lambda c: c) -> Prepared:
     """Posture, prestrained coefficients and static shape of a request (milliseconds).
 
+    ``alter`` may change the coefficients before the fold is made of them: for studies of what the paper leaves open.
     Raises PostureError, ParameterError or StaticShapeError.
     """
     posture = posture_of(request)
-    rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
-    c = coefficients(posture.strain, request.activation.ta, request.constants)
-    fold = assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
+    fold = fold_of(request, posture, alter)
     return Prepared(posture, fold, static_shape_of(fold))
+
+
+def fold_of(
+    request: Simulation, posture: PostureSolution, alter: Callable[[Coefficients], Coefficients] = lambda c: c
+) -> Fold:
+    """The prestrained fold of a request in its posture. Raises ParameterError where it has no stiffness left."""
+    rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
+    c = alter(coefficients(posture.strain, request.activation.ta, request.constants))
+    return assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
 
 
 def static_shape(request: Simulation) -> StaticShape:
@@ -71,16 +83,24 @@ def simulate(
     request: Simulation,
     progress: Callable[[float], None] | None = None,
     stop: Callable[[], bool] | None = None,
+    prepared_by: Callable[[Simulation], Prepared] = prepare,
 ) -> SimulationResult:
-    """Run a request.
+    """Run a request; with ``run.error_estimate`` also its two finer companions (vfcore.error_estimate).
 
+    ``prepared_by`` makes the folds; other than ``prepare`` only for studies of what the paper leaves open.
     ``progress(fraction)`` is called after each chunk of about 5 ms of voice; ``stop()`` is asked before each.
     Raises ParameterError (StabilityError) for a request that cannot be run, PostureError, DivergenceError,
     Cancelled.
     """
-    ready = prepare(request)
+    if not request.run.error_estimate:
+        return _run(request, progress, stop, prepared_by(request))
+    return _run_with_companions(request, progress, stop, prepared_by)
+
+
+def _run(request: Simulation, progress, stop, ready: Prepared, step_s: float | None = None) -> SimulationResult:
+    """One run, with the time step ``step_s`` or the request's own."""
     fold, run = ready.fold, request.run
-    march = March(fold, time_step_s(run, fold), request.subglottal_pressure_pa, run.pressure_rise_s)
+    march = March(fold, step_s or time_step_s(run, fold), request.subglottal_pressure_pa, run.pressure_rise_s)
     march.start_static(ready.static) if run.start == "static" else march.start_flat()
     sample_s = march.time_step_s * march.record_every
     samples = round(run.duration_s / sample_s)
@@ -88,8 +108,10 @@ def simulate(
     record = march.run(samples, progress, stop)
     kernel_seconds = time.perf_counter() - began
 
-    arrays = _waveforms(request, record, sample_s, fold.nx)
-    report = measure_all(_signals(request, ready, arrays, sample_s))
+    arrays = waveforms(record, sample_s, fold.nx)
+    sound = _whole_sound(request, arrays["glottal_flow_m3_s"], sample_s)
+    arrays |= {"radiated_pressure_pa": sound.lip_pressure_pa, "far_pressure_pa": sound.far_pressure_pa}
+    report = measure_all(signals_of(request, ready.posture, fold, arrays, sample_s), radiate=lambda: sound)
     first, last, complete = _cycle_bounds(report, march, samples, sample_s)
     arrays |= {
         "x_m": fold.x_m,
@@ -111,32 +133,81 @@ def simulate(
     )
 
 
-def _waveforms(request: Simulation, record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
+def steps_of(request: Simulation, folds: Sequence[Fold]) -> list[float]:
+    """Time steps in force, s, of a request and of its companions, if any, on their folds."""
+    own = time_step_s(request.run, folds[0])
+    finer = zip(REFINEMENTS, folds[1:], strict=False)
+    return [own, *(companion_step_s(own, by, longest_stable_step_s(fold)) for by, fold in finer)]
+
+
+def _run_with_companions(request: Simulation, progress, stop, prepared_by) -> SimulationResult:
+    """The run asked for and its companions, progress being shared out by their work."""
+    requests = (request, *companions(request))
+    folds = [prepared_by(one) for one in requests]
+    steps = steps_of(request, [ready.fold for ready in folds])
+    work = np.cumsum([0.0] + [one.run.nx * one.run.ny / step for one, step in zip(requests, steps, strict=True)])
+    work /= work[-1]
+    result, levels, reports = None, [], []
+    for k, (one, ready, step) in enumerate(zip(requests, folds, steps, strict=True)):
+        watched = progress and (lambda part, k=k: progress(work[k] + part * (work[k + 1] - work[k])))
+        try:
+            found = _run(one, watched, stop, ready, step)
+        except DivergenceError:
+            if result is None:
+                raise
+            reason = f"The companion on {one.run.nx} × {one.run.ny} nodes diverges."
+            return replace(result, error_estimate=without_bars(levels, reason))
+        result = result or found
+        reports.append(found.report)
+        levels.append(Level(one.run.nx, one.run.ny, step, found.report.state))
+    return replace(result, error_estimate=richardson(levels, reports))
+
+
+def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
+    """The recorded waveforms by name, (samples,) each: all of a run but its sound."""
     column = {name: np.ascontiguousarray(record[:, k]) for k, name in enumerate(RECORD)}
-    air = request.constants
-    tract = vowel_tract(request.vowel, air.rho_a_kg_m3, air.c_a_m_s)
-    sound = radiate(column["glottal_flow_m3_s"], sample_s, tract)
     return {
         "time_s": np.arange(len(record)) * sample_s,
         "glottal_area_m2": column["glottal_area_m2"],
         "glottal_flow_m3_s": column["glottal_flow_m3_s"],
-        "radiated_pressure_pa": sound.lip_pressure_pa,
-        "far_pressure_pa": sound.far_pressure_pa,
         "contact_pressure_max_pa": column["contact_pressure_max_pa"],
         "contact_location": contact_location(record, nx),
         "contact_area_m2": column["contact_area_m2"],
     }
 
 
-def _signals(request: Simulation, ready: Prepared, arrays: dict[str, np.ndarray], sample_s: float) -> Signals:
-    c, posture = ready.fold.coefficients, ready.posture
+def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
+    """Sound of a run where it is measured, its last half: the whole sound bit for bit, and 0 before."""
+    start = window_start(len(flow_m3_s))
+    heard = radiate(flow_m3_s, sample_s, _tract(request), first=start, mouth_flow=False)
+    silence = np.zeros(start)
+    return Sound(np.concatenate((silence, heard.lip_pressure_pa)), np.concatenate((silence, heard.far_pressure_pa)))
+
+
+def _whole_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
+    start = window_start(len(flow_m3_s))
+    sound = measured_sound(request, flow_m3_s, sample_s)
+    before = radiate(flow_m3_s[:start], sample_s, _tract(request), mouth_flow=False)
+    sound.lip_pressure_pa[:start], sound.far_pressure_pa[:start] = before.lip_pressure_pa, before.far_pressure_pa
+    return sound
+
+
+def _tract(request: Simulation) -> Tract:
+    return vowel_tract(request.vowel, request.constants.rho_a_kg_m3, request.constants.c_a_m_s)
+
+
+def signals_of(
+    request: Simulation, posture: PostureSolution, fold: Fold, arrays: dict[str, np.ndarray], sample_s: float
+) -> Signals:
+    """What the measures are told of a run: its ``waveforms`` and scalars, without the sound."""
+    c = fold.coefficients
     return Signals(
         sample_rate_hz=1.0 / sample_s,
         time_s=arrays["time_s"],
         glottal_area_m2=arrays["glottal_area_m2"],
         glottal_flow_m3_s=arrays["glottal_flow_m3_s"],
-        lip_pressure_pa=arrays["radiated_pressure_pa"],
-        far_pressure_pa=arrays["far_pressure_pa"],
+        lip_pressure_pa=None,
+        far_pressure_pa=None,
         contact_pressure_max_pa=arrays["contact_pressure_max_pa"],
         contact_location=arrays["contact_location"],
         contact_area_m2=arrays["contact_area_m2"],
@@ -161,11 +232,16 @@ def _cycle_bounds(report: MeasureReport, march: March, samples: int, sample_s: f
     return max(samples - (last - first), march.oldest_sample), samples, True
 
 
+@cache
+def _numba_version() -> str:
+    return version("numba")
+
+
 def _provenance(march: March, sample_s: float, kernel_seconds: float) -> Provenance:
     return Provenance(
         model_version=MODEL_VERSION,
         code_version=CODE_VERSION,
-        numba_version=version("numba"),
+        numba_version=_numba_version(),
         numpy_version=np.__version__,
         created=datetime.now(UTC).isoformat(timespec="seconds"),
         time_step_s=march.time_step_s,

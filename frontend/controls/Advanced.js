@@ -6,7 +6,7 @@ import { Choice } from "./Choice.js";
 import { NumberField } from "./NumberField.js";
 
 const GROUPS_SHOWN = ["model", "run", "posture"];
-const ELSEWHERE = new Set(["model.variant", "convergence_angle_rad"]);
+const ELSEWHERE = new Set(["model.variant", "convergence_angle_rad", "run.error_estimate"]);
 
 export function Advanced() {
   const rows = [...schema.value.parameters.values()].filter(

@@ -10,6 +10,7 @@ const PATHS = {
   play: () => html`<path d="M8 5v14l11-7Z" fill="currentColor" />`,
   pause: () => html`<path d="M8 5v14M16 5v14" stroke-width="3" />`,
   stop: () => html`<rect x="6.5" y="6.5" width="11" height="11" rx="1.5" fill="currentColor" />`,
+  record: () => html`<circle cx="12" cy="12" r="6" fill="currentColor" stroke="none" />`,
   save: () => html`<path d="M12 4v11m-4.5-4L12 15.5 16.5 11M5 19.5h14" />`,
   repeat: () => html`<path d="M5 12V9.5A2.5 2.5 0 0 1 7.5 7H18m-3-3 3 3-3 3M19 12v2.5a2.5 2.5 0 0 1-2.5 2.5H6m3 3-3-3 3-3" />`,
   zoom: () => html`<circle cx="11" cy="11" r="6" /><path d="m15.5 15.5 4.5 4.5M8.5 11h5M11 8.5v5" />`,

@@ -1,6 +1,7 @@
 /** Name, voice, model, and the few things about the page itself. */
 import { html, useComputed } from "../ui.js";
 import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
+import { section, setSection } from "../state/paper.js";
 import { choosePreset, preset, schema, setValue, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
 import { APP, TOP, VARIANT_NAMES } from "../texts.js";
@@ -12,6 +13,7 @@ export function TopBar() {
       <h1 class="brand"><${Icon} name="mark" />${APP.name}</h1>
       ${schema.value && html`<${Presets} />${!narrow.value && html`<${Variants} />`}`}
       <div class="top-tools">
+        <button class="quiet paper-button" type="button" aria-pressed=${section.value !== null} onClick=${() => setSection(section.value ? null : "static")}>${section.value ? TOP.instrument : TOP.paper}</button>
         <button class="quiet" type="button" aria-label=${TOP.share} onClick=${share}><${Icon} name="link" /><span>${TOP.share}</span></button>
         <button class="icon" type="button" aria-label=${theme.value === "dark" ? TOP.toLight : TOP.toDark} title=${theme.value === "dark" ? TOP.toLight : TOP.toDark} onClick=${toggleTheme}>
           <${Icon} name=${theme.value === "dark" ? "sun" : "moon"} />

@@ -11,8 +11,8 @@ const _systemDark = signal(system.matches);
 const _narrow = signal(small.matches);
 const _orientation = signal("anterior_left"); // anterior_left | endoscope
 const _muscles = signal(true);
-const _panel = signal("waves"); // desktop, right column: waves | measures | run
-const _tab = signal("muscles"); // phone: muscles | waves | numbers | more
+const _panel = signal("waves"); // desktop, right column: waves | measures | play | run
+const _tab = signal("muscles"); // phone: muscles | play | waves | numbers | more
 const _open = signal(null); // null or {name, ...}: the dialog on top
 
 system.addEventListener("change", (event) => (_systemDark.value = event.matches));

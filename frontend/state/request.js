@@ -1,6 +1,6 @@
 /** What is asked of the model: the schema, every value, and what the last hand movement started from. */
 import { batch, computed, signal } from "../ui.js";
-import { capital, defaultValues, presetOf, presetValues } from "../params.js";
+import { capital, defaultValues, flatten, presetOf, presetValues } from "../params.js";
 import { readonly } from "./readonly.js";
 
 const GESTURE_PAUSE_MS = 1500;
@@ -48,6 +48,12 @@ export function resetValue(path) {
 export function choosePreset(key) {
   const chosen = _schema.value.presets.find((row) => row.key === key);
   change(presetValues(_schema.value, chosen, _values.value), `preset ${key}`);
+}
+
+/** The whole of a request document, with defaults for what it does not name; what the page does not set is left out. */
+export function takeRequest(document) {
+  const known = Object.entries(flatten(document)).filter(([path]) => _schema.value.parameters.has(path));
+  change({ ...defaultValues(_schema.value), ...Object.fromEntries(known) }, "request");
 }
 
 export function setTied(on) {

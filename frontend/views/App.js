@@ -5,6 +5,7 @@ import { BreathAndTract } from "../controls/BreathAndTract.js";
 import { Muscles } from "../controls/Muscles.js";
 import { TopBar } from "../controls/TopBar.js";
 import { narrow, open } from "../state/look.js";
+import { section } from "../state/paper.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
 import { APP } from "../texts.js";
@@ -13,6 +14,7 @@ import { HelpDialog } from "./HelpDialog.js";
 import { Login } from "./Login.js";
 import { Maps } from "./Maps.js";
 import { MeasureDialog } from "./MeasureDialog.js";
+import { PaperPage } from "./PaperPage.js";
 import { Phone } from "./Phone.js";
 import { RightColumn } from "./RightColumn.js";
 import { Stage } from "./Stage.js";
@@ -26,7 +28,7 @@ export function App({ entered }) {
   const shown = open.value;
   const Top = shown && DIALOGS[shown.name];
   return html`
-    ${connection.value === "login" ? html`<${Login} entered=${entered} />` : !schema.value ? html`<${Starting} />` : narrow.value ? html`<${Phone} />` : html`<${Desk} />`}
+    ${connection.value === "login" ? html`<${Login} entered=${entered} />` : !schema.value ? html`<${Starting} />` : section.value ? html`<${PaperPage} />` : narrow.value ? html`<${Phone} />` : html`<${Desk} />`}
     ${Top && html`<${Top} key=${shown.key ?? shown.name} about=${shown} />`}
     <p class="notice" role="status">${notice.value}</p>
     <p class="visually-hidden" aria-live="polite">${announcement.value}</p>

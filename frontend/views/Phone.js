@@ -12,6 +12,7 @@ import { Headline } from "./Headline.js";
 import { LongRun } from "./LongRun.js";
 import { Maps } from "./Maps.js";
 import { MeasureTable } from "./MeasureTable.js";
+import { Play } from "./Play.js";
 import { PhonationState } from "./PhonationState.js";
 import { PostureLine } from "./PostureLine.js";
 import { Shapes } from "./Shapes.js";
@@ -21,6 +22,7 @@ import { Waves } from "./Waves.js";
 
 const CONTENT = {
   muscles: () => html`<${PostureLine} /><${Muscles} /><${BreathAndTract} /><${Advanced} />`,
+  play: () => html`<${Play} />`,
   waves: () => html`<${Waves} /><${Shapes} /><${Maps} />`,
   numbers: () => html`<div class="headlines">${HEADLINES.map((item) => html`<${Headline} key=${item.key} item=${item} shown=${result.value} />`)}</div><${MeasureTable} />`,
   more: () => html`<${SoundControls} /><${Variants} /><h2>${RUN.title}</h2><${LongRun} /><p class="use">${APP.use}</p>`,

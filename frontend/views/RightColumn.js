@@ -4,6 +4,7 @@ import { panel, setPanel } from "../state/look.js";
 import { PANELS } from "../texts.js";
 import { LongRun } from "./LongRun.js";
 import { MeasureTable } from "./MeasureTable.js";
+import { Play } from "./Play.js";
 import { Shapes } from "./Shapes.js";
 import { TabList } from "./TabList.js";
 import { Waves } from "./Waves.js";
@@ -11,6 +12,7 @@ import { Waves } from "./Waves.js";
 const CONTENT = {
   waves: () => html`<${Waves} /><${Shapes} />`,
   measures: () => html`<${MeasureTable} />`,
+  play: () => html`<${Play} />`,
   run: () => html`<${LongRun} />`,
 };
 

@@ -14,6 +14,7 @@ import { fieldAt, isVoiced } from "../result.js";
 import { musclesShown, orientation, setMusclesShown, setOrientation } from "../state/look.js";
 import { phase } from "../state/motion.js";
 import { posture, result } from "../state/outcome.js";
+import { now } from "../state/play.js";
 import { schema, values } from "../state/request.js";
 import { CLOSURE, STAGE } from "../texts.js";
 import { Picture } from "./Picture.js";
@@ -63,7 +64,7 @@ const still = computed(() => {
 function stageModel() {
   if (!still.value) return null;
   const { rest } = still.value;
-  const folds = isVoiced(result.value) ? movingFolds(result.value) : { edges: rest, contact: rest.u.map(() => 0) };
+  const folds = now.value ? liveFolds(now.value) : isVoiced(result.value) ? movingFolds(result.value) : { edges: rest, contact: rest.u.map(() => 0) };
   return { still: still.value, ...folds };
 }
 
@@ -73,6 +74,14 @@ function movingFolds({ fields }) {
   const now = phase.value;
   const along = contactAlong(fields, fieldAt(fields, "contact", now));
   return { edges: foldEdges(fields, fieldAt(fields, "w", now)), contact: along.map((p) => p / fields.contactRange.max) };
+}
+
+const HARD_MM = 0.6; // pressed into the other fold by this much: the warmest glow
+
+/** A played voice at the moment its strobe shows. */
+function liveFolds(frame) {
+  const edges = staticEdges(frame);
+  return { edges, contact: edges.inner.map((r) => Math.min(1, Math.max(0, -r) / HARD_MM)) };
 }
 
 function stagePainter() {

@@ -5,10 +5,12 @@ import json
 import numpy as np
 import pytest
 
+from tests.support.fold_harness import MODAL, product_and_twin
 from vfcore.kernels.layout import Layout
-from vfcore.params import Run, Simulation
+from vfcore.params import PAPER_STEP_S, Run, Simulation
 from vfcore.simulate import prepare, simulate
-from vocalis_bench.count import Counted, CountedArray, count_step
+from vocalis_bench import history
+from vocalis_bench.count import Counted, count_step
 from vocalis_bench.reference import plain_run
 from vocalis_bench.rounds import interleaved
 from vocalis_cli.main import main
@@ -26,19 +28,27 @@ def rate(area, sample_s):
 
 def test_the_plain_loop_is_the_same_voice():
     request = Simulation(run=Run(duration_s=0.3))
-    area = plain_run(prepare(request).fold, request.subglottal_pressure_pa, 0.3)
+    area = plain_run(prepare(request).fold, request.subglottal_pressure_pa, 0.3)[:, 0]
     product = simulate(request).arrays["glottal_area_m2"]
     assert rate(area[::4], 1 / 35000) == pytest.approx(rate(product, 1 / 35000), rel=1e-3)
     assert area.max() == pytest.approx(product.max(), rel=5e-3)
 
 
+def test_the_plain_loop_is_the_slow_twin_of_the_tests():
+    fold, twin = product_and_twin(**MODAL)
+    plain = plain_run(fold, 1000.0, 0.01, PAPER_STEP_S)
+    slow = twin.run(twin.initial_state(), 1000.0, PAPER_STEP_S, len(plain), "euler")
+    for column, wave in enumerate((slow.A_g_min, slow.Q_g, slow.p_col_max)):
+        assert plain[:, column] == pytest.approx(np.maximum(wave, 0.0), rel=1e-6, abs=1e-9 * np.abs(wave).max())
+
+
 def test_counted_numbers_count():
     Counted.tally.update(dict.fromkeys(Counted.tally, 0))
-    a = CountedArray([2.0, 3.0])
-    value = 1.0 + a[0] * a[1] - max(a[0], 0.5) / 4
-    a[1] = value
-    assert value == 6.5 and a[1] == 6.5
-    assert Counted.tally == {"arithmetic": 4, "comparisons": 1, "accesses": 5}
+    a = np.array([2.0, 3.0, 5.0, 7.0]).view(Counted)
+    value = 1.0 + a[0:2] * a[2:4] - np.where(a[0:2] > 2.5, a[0:2], 0.5) / 4
+    a[0:2] = value
+    assert a.tolist() == [10.875, 21.25, 5.0, 7.0]
+    assert Counted.tally == {"arithmetic": 8, "comparisons": 2, "accesses": 10}
 
 
 def test_a_step_costs_in_proportion_to_its_nodes():
@@ -56,6 +66,33 @@ def test_rounds_are_interleaved_and_the_first_does_not_count():
     assert set(seconds) == {"a", "b"} and all(0 <= value < 0.1 for value in seconds.values())
 
 
+def run_on(processor, ratio):
+    return {"processor": processor, "values": dict.fromkeys(history.WATCHED, ratio)}
+
+
+def test_a_ratio_that_fell_by_more_than_fifteen_percent_is_named():
+    runs = [run_on("x", ratio) for ratio in (19.0, 20.0, 30.0)]
+    now = dict.fromkeys(history.WATCHED, 17.5)
+    assert history.regressions(now, runs) == []
+    now["batch_ratio"] = 16.5
+    [sentence] = history.regressions(now, runs)
+    assert "batch_ratio" in sentence and "18 % below 20" in sentence
+
+
+def test_the_history_keeps_processors_apart(tmp_path):
+    file = tmp_path / "new" / "history.jsonl"
+    assert history.earlier(file, "x") == []
+    for processor in ("x", "y", "x"):
+        history.keep(file, processor, {"batch_ratio": 1.0})
+    assert [run["processor"] for run in history.earlier(file, "x")] == ["x", "x"]
+
+
+def test_a_check_that_finds_a_loss_exits_with_one(monkeypatch, capsys):
+    monkeypatch.setattr(history, "earlier", lambda file, processor: [run_on(processor, 1e6)])
+    assert main(["bench", "--quick", "--check", "--json"]) == 1
+    assert "slower than before: reference_ratio" in capsys.readouterr().err
+
+
 def test_the_table_is_json_too(capsys):
     assert main(["bench", "--quick", "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
@@ -63,4 +100,5 @@ def test_the_table_is_json_too(capsys):
     assert {"posture_us", "static_ms", "kernel_s", "kernel_paper_step_s", "stored_s", "reference_ratio"} <= set(rows)
     assert rows["stored_s"]["target"] == 0.08 and rows["stored_s"]["value"] > rows["kernel_s"]["value"] > 0
     assert rows["kernel_paper_step_s"]["value"] > 4 * rows["kernel_s"]["value"]
+    assert {"batch_ratio", "single_precision_ratio", "paper_minute_ratio"} <= set(rows)
     assert document["machine"]["cores"] >= 1

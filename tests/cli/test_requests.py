@@ -47,7 +47,9 @@ def test_every_option_sets_its_own_field(request_of):
         value = row["options"][-1] if row["type"] == "choice" else row["min"]
         if option.key == "run.time_step_s":
             value = 2e-6
-        request = request_of(option.flag, str(value))
+        is_flag = row["type"] == "boolean"
+        value = not row["default"] if is_flag else value
+        request = request_of(option.flag, *(() if is_flag else (str(value),)))
         found = request
         for name in option.key.split("."):
             found = getattr(found, name)
@@ -119,6 +121,6 @@ def test_help_teaches_every_option_with_its_range_and_unit(capsys, monkeypatch, 
     for option in options:
         row = rows[option.key]
         assert option.flag in shown and row["label"] in shown
-        if row["type"] != "choice":
+        if row["type"] not in ("choice", "boolean"):
             assert f"{row['min']:g} to {row['max']:g}" in shown
     assert f"vocalis {command}" in shown and "--set" in shown

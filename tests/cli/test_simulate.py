@@ -142,3 +142,17 @@ def test_a_reader_that_leaves_is_no_traceback(arguments):
     done = subprocess.run([VOCALIS, *arguments], stdout=writer, stderr=subprocess.PIPE, text=True, env=buffered)
     os.close(writer)
     assert done.stderr == "" and done.returncode in (0, 1)
+
+
+def test_error_bars_come_on_request_in_table_json_and_csv(tmp_path):
+    arguments = [VOCALIS, "simulate", "--duration", "0.3", "--error-estimate"]
+    table = subprocess.run([*arguments, f"--csv={tmp_path / 'm.csv'}"], capture_output=True, text=True)
+    assert table.returncode == 0 and "± grid error" in table.stdout and "20 × 10, 29 × 15, 39 × 19" in table.stdout
+    document = json.loads(subprocess.run([*arguments, "--json"], capture_output=True, text=True).stdout)
+    bars = document["error_estimate"]["measures"]
+    with open(tmp_path / "m.csv", encoding="utf-8", newline="") as file:
+        rows = {row["key"]: row for row in csv.DictReader(file)}
+    assert float(rows["fo_hz"]["error_half_width"]) == bars["fo_hz"]["half_width"] > 0.0
+    assert rows["jitter_percent"]["error_reason"] == bars["jitter_percent"]["reason"]
+    plain = subprocess.run([*arguments[:-1], "--no-error-estimate"], capture_output=True, text=True)
+    assert plain.returncode == 0 and "± grid error" not in plain.stdout

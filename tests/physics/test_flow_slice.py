@@ -6,8 +6,9 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from tests.support.fold_harness import product_and_twin
+from vfcore.assemble import membrane
 from vfcore.kernels.fold import step_kernel
-from vfcore.kernels.layout import FIRST, RECORD, Layout
+from vfcore.kernels.layout import RECORD
 from vfcore.kernels.surface import surface_pressures
 from vfcore.march import March
 
@@ -33,12 +34,10 @@ def flux(gaps, pressure_pa=P_S, mu=MU, alpha_s=ALPHA_S):
     march = March(fold, 1e-6, pressure_pa)
     medial = np.full((NY, NX), -1.0)
     medial[:, SLICE] = np.array(gaps) / 2
-    layout = Layout(NX, NY)
-    start = layout.field("G")
-    march.buffer[start : start + NY * layout.stride].reshape(NY, -1)[:, FIRST : FIRST + NX] = medial
+    membrane(march.buffer, fold, "G")[:] = medial
     march.scalars[1] = THICKNESS_M / (NY - 1)
     record = np.empty((1, len(RECORD)))
-    step_kernel(NX, NY, False)(march.buffer, march.scalars, np.array([pressure_pa]), 1, record)
+    step_kernel(NX, NY, False)(march.buffer, march.scalars, np.array([pressure_pa]), 1, record[0])
     return record[0, RECORD.index("glottal_flow_m3_s")] / fold.dx
 
 

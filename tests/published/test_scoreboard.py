@@ -1,6 +1,7 @@
 """The scores that hold: by running the model anew, and against what is shipped and printed in docs/scoreboard.md."""
 
 import os
+import re
 from functools import cache
 
 import pytest
@@ -9,8 +10,9 @@ from tests.support.inline_pool import InlinePool
 from vfcore.params import VARIANTS
 from vfcore.version import MODEL_VERSION
 from vocalis_paper import CASES, CLAIMS
-from vocalis_paper.report_ship import PAGE, SCOREBOARD, STUDY, shipped
-from vocalis_paper.report_text import filled, tables
+from vocalis_paper.convergence import last_changes
+from vocalis_paper.report_ship import CONVERGENCE, PAGE, SCOREBOARD, STUDY, pages, shipped
+from vocalis_paper.report_text import filled
 from vocalis_paper.run import workers
 from vocalis_paper.run_document import score_variant
 from vocalis_paper.run_score import definitions_hash
@@ -68,7 +70,7 @@ def test_the_shipped_score_is_the_one_we_hold():
     assert not HELD & {key for key, verdict in verdicts.items() if verdict == "fail"}
 
 
-@pytest.mark.parametrize("path", [SCOREBOARD, STUDY], ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", [SCOREBOARD, STUDY, CONVERGENCE], ids=lambda path: path.stem)
 def test_shipped_results_are_of_this_model_and_these_definitions(path):
     made = shipped(path)["provenance"]
     assert made["model_version"] == MODEL_VERSION, AGAIN
@@ -84,18 +86,34 @@ def test_every_shipped_run_is_accounted_for(variant):
     assert sum(one["score"].values()) == len(CLAIMS)
 
 
-def test_the_page_shows_the_shipped_tables():
-    page = PAGE.read_text(encoding="utf-8")
-    made = tables(shipped(SCOREBOARD), shipped(STUDY))
-    assert all(f"<!-- table: {name} -->" in page for name in made)
-    assert filled(page, made) == page, "run `python -m vocalis_paper.report_ship --text`"
+@pytest.mark.parametrize("path", pages(), ids=lambda path: path.stem)
+def test_the_page_shows_the_shipped_tables(path):
+    page = path.read_text(encoding="utf-8")
+    assert filled(page, pages()[path]) == page, "run `python -m vocalis_paper.report_ship --text`"
+
+
+def test_no_table_of_the_scoreboard_stands_without_its_maker():
+    assert set(re.findall(r"<!-- table: (.+) -->", PAGE.read_text(encoding="utf-8"))) == set(pages()[PAGE])
+
+
+def test_the_last_refinement_of_grid_and_step_is_within_the_bounds_set_beforehand():
+    found = last_changes(shipped(CONVERGENCE)["rows"])
+    assert len(found) == 9 and all(row["met"] for row in found)
 
 
 def test_no_open_choice_lets_more_claims_hold_than_the_default():
     """What the page concludes from the study: fewer failures are to be had from no single choice, nor from a pair."""
     default, *others = shipped(STUDY)["rows"]
-    assert len(others) >= 17
+    assert len(others) >= 40
     for row in others:
         assert row["score"]["fail"] >= default["score"]["fail"], row["choice"]
-    same = ("window last second of 2 s", "level at 30 cm", "vowel i", "vowel u", "vowel AE")
+    same = (
+        "α in the bending stiffness 1/(2 ratio + 1)",
+        "θ_0 0.239 rad",
+        "window last second of 2 s",
+        "level at 30 cm",
+        "vowel i",
+        "vowel u",
+        "vowel AE",
+    )
     assert not any(changes(row, default) for row in others if row["choice"] in same)

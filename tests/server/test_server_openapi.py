@@ -35,7 +35,7 @@ CHECKS = [
 ]
 CASES_PER_CALL = int(os.environ.get("VOCALIS_SCHEMA_CASES", 55))  # of each kind, right and wrong
 SWEEP = {"kind": "sweep", "base": SHORT, "axes": [{"parameter": "activation.ct", "values": [0.2, 0.4]}]}
-RUNS = ("/api/v1/simulate", "/api/v1/jobs")
+RUNS = ("/api/v1/simulate", "/api/v1/jobs", "/api/v1/gestures")
 SHORTEST_S = 0.02
 QUIET = {"deadline": None, "derandomize": True, "database": None, "suppress_health_check": list(HealthCheck)}
 
@@ -89,6 +89,8 @@ def check(case, target, ask_for_the_job: bool) -> int:
         cheap(case.body)
     if ask_for_the_job and "job_id" in (case.path_parameters or {}) and case.method == "GET":
         case.path_parameters["job_id"] = next(job_ids)
+    if ask_for_the_job and "gesture_id" in (case.path_parameters or {}):
+        case.path_parameters["gesture_id"] = httpx.post(f"{server.url}/api/v1/gestures", json=SHORT).json()["id"]
     return case.call_and_validate(base_url=server.url, checks=CHECKS).status_code
 
 

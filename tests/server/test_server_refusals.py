@@ -169,3 +169,18 @@ def test_a_larynx_without_posture_is_told_in_the_cores_words(client, monkeypatch
 
     monkeypatch.setattr("vocalis_server.routes.posture.prepare", none)
     assert problem(client.post("/posture", json={}), 422)["detail"] == "no root was reached from rest"
+
+
+def test_error_bars_come_with_an_answer_that_asks_for_them_and_count_as_work(client):
+    body = {"run": {"duration_s": 0.3, "error_estimate": True}}
+    answer = client.post("/simulate", json=body)
+    assert answer.status_code == 200, answer.text
+    bars = answer.json()["error_estimate"]["measures"]
+    assert bars["fo_hz"]["half_width"] > 0 and bars["fo_hz"]["unit"] == "Hz" and bars["jitter_percent"]["reason"]
+    assert client.post("/simulate", json={"run": {"duration_s": 0.3}}).json()["error_estimate"] is None
+    wrong = problem(client.post("/simulate", json={"run": {"error_estimate": 1}}), 422)["errors"]
+    assert [(error["path"], error["allowed"]) for error in wrong] == [("run.error_estimate", "true | false")]
+    with serving(simulate_node_steps=3e6) as server:  # 20 × 10 nodes for 0.3 s are 2.1e6, their companions 24e6
+        assert server.client().post("/simulate", json={"run": {"duration_s": 0.3}}).status_code == 200
+        detail = problem(server.client().post("/simulate", json=body), 422)["detail"]
+        assert "finer runs of its error estimate" in detail and "node-steps" in detail

@@ -43,11 +43,11 @@ def product_and_twin(
 def put_state(march: March, state: State) -> None:
     """Load a twin state, last velocity increments 0 (what the twin's own first step assumes)."""
     inner = slice(1, -1)
-    for name, value in (("w", state.w_m), ("v", state.v_m)):
+    for name, value in (("w", state.w_m), ("v", state.v_m), ("v_star", state.v_m)):
         membrane(march.buffer, march.fold, name)[:, inner] = value.T
-    for name, value in (("phi", state.phi), ("vphi", state.v_phi)):
+    for name, value in (("phi", state.phi), ("vphi", state.v_phi), ("vphi_star", state.v_phi)):
         membrane(march.buffer, march.fold, name)[:-1, inner] = value.T
-    for name, value in (("w_b", state.w_b), ("v_b", state.v_b)):
+    for name, value in (("w_b", state.w_b), ("v_b", state.v_b), ("v_star_b", state.v_b)):
         beam(march.buffer, march.fold, name)[inner] = value
 
 
@@ -67,7 +67,7 @@ def advance(march: March, steps: int) -> np.ndarray:
     """Move on by ``steps`` steps, every one recorded: (steps, 5), layout.RECORD."""
     record = np.empty((steps, len(RECORD)))
     numbers = np.arange(march.steps, march.steps + steps)
-    march._advance(march.buffer, march.scalars, march.pressure_at(numbers), 1, record)
+    march._advance(march.buffer, march.scalars, march.pressure_at(numbers), 1, record.reshape(-1))
     march.steps += steps
     return record
 

@@ -5,6 +5,7 @@ Where nothing repeats the motion is chaotic and no digit is reproducible: such a
 """
 
 from tests.support.model_tables import table
+from tests.support.separation_twin import TWINS, measured_voice
 from vfcore.constants import FoldConstants
 from vfcore.errors import DivergenceError
 from vfcore.measures.catalogue import CATALOGUE
@@ -56,6 +57,19 @@ def _row(label: str, request: Simulation, columns):
 def grid() -> str:
     cases = ((20, 10), (20, 20), (20, 40), (40, 10), (80, 10), (40, 20))
     return runs("$N_x × N_y$", ((f"{x} × {y}", Simulation(run=Run(nx=x, ny=y))) for x, y in cases), SOURCE)
+
+
+def separation() -> str:
+    """The modal case with the ends of the air pressure on nodes, and between them (slow twin)."""
+    cases = [("on nodes, as in the product", "nodes", ny) for ny in (10, 20)]
+    cases += [("separation point between nodes", "separation", 10), ("closure between nodes", "closure", 10)]
+    cases += [("both between nodes", "both", ny) for ny in (10, 20)]
+    rows = []
+    for label, kind, ny in cases:
+        report = measured_voice(Simulation(run=Run(ny=ny)), TWINS[kind])
+        values = (report.measures[key].value * SHORT[key][1] for key in SOURCE)
+        rows.append((label, ny, *(f"{value:.{SHORT[key][2]}f}" for value, key in zip(values, SOURCE, strict=True))))
+    return table(("the air pressure ends", "$N_y$", *(SHORT[key][0] for key in SOURCE)), rows)
 
 
 def time_steps() -> str:
@@ -140,7 +154,8 @@ def shapes() -> str:
 
 
 RUNS = {
-    "modal": modal, "shapes": shapes, "closed": closed, "grid": grid, "time steps": time_steps, "variants": variants,
+    "modal": modal, "shapes": shapes, "closed": closed, "grid": grid,
+    "separation": separation, "time steps": time_steps, "variants": variants,
     "pressures": pressures, "damping": damping, "pca": pca,
 }  # fmt: skip
 

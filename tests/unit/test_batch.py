@@ -2,36 +2,90 @@
 
 import dataclasses
 
+import numpy as np
 import pytest
 
 import vfcore
-from vfcore.batch import run_points
-from vfcore.errors import Cancelled, StabilityError
+from vfcore.batch import run_points, static_shapes
+from vfcore.errors import Cancelled, ParameterError, StabilityError
+from vfcore.measures import CATALOGUE
+
+COUNTS_SAMPLES = {"contact_quotient"}  # not interpolated: rounding may move it by one sample
 
 
 def _short(**changes) -> vfcore.Simulation:
-    return vfcore.Simulation(run=vfcore.Run(duration_s=0.1), **changes)
+    return vfcore.Simulation(run=vfcore.Run(duration_s=0.4), **changes)
+
+
+HIGH = _short(activation=vfcore.Activation(ct=0.8), vowel="i")
 
 
 def test_a_point_is_the_run_reduced_to_its_scalars():
-    requests = [_short(), _short(activation=vfcore.Activation(ct=0.8))]
-    points = list(run_points(requests))
-    for request, point in zip(requests, points, strict=True):
+    requests = [_short(), HIGH, dataclasses.replace(HIGH, run=vfcore.Run(duration_s=0.3, nx=24, start="static"))]
+    for request, point in zip(requests, run_points(requests), strict=True):
         alone = vfcore.simulate(request)
         assert point.problem is None
         assert point.posture == alone.posture
-        assert point.report.state == alone.report.state
-        assert point.report.measures == alone.report.measures
+        assert point.report.state == alone.report.state == "periodic"
+        assert point.report.measures.keys() == alone.report.measures.keys()
+        for key, measure in point.report.measures.items():
+            expected = alone.report.measures[key]
+            assert measure.reason == expected.reason
+            if measure.value is not None:
+                tolerance = 0.01 if key in COUNTS_SAMPLES else 1e-9
+                assert measure.value == pytest.approx(expected.value, rel=tolerance, abs=0), key
+
+
+def test_a_point_does_not_depend_on_its_neighbours():
+    requests = [_short(), HIGH, _short(subglottal_pressure_pa=700.0)]
+    (alone,) = run_points([HIGH])
+    assert [*run_points(requests)][1] == [*run_points(requests[::-1])][1] == alone
+
+
+def test_a_measure_has_the_same_value_whatever_else_is_asked_for():
+    (whole,) = run_points([_short()])
+    for key in CATALOGUE.keys():  # noqa: SIM118 - iterating gives rows
+        (one,) = run_points([_short()], measures=[key])
+        assert one.report.measures == {key: whole.report.measures[key]}
+        assert one.report.state == whole.report.state
+
+
+def test_single_precision_hears_the_same_voice():
+    (double,), (single,) = run_points([_short()]), run_points([_short()], precision="float32")
+    assert single.report.measures["fo_hz"].value == pytest.approx(double.report.measures["fo_hz"].value, rel=1e-3)
+    assert single.report.measures != double.report.measures
 
 
 def test_a_failing_point_carries_its_reason_and_stops_nobody_else():
-    too_long = dataclasses.replace(_short(), run=vfcore.Run(duration_s=0.1, time_step_s=1e-3))
-    broken, sound = run_points([too_long, _short()])
+    too_long = dataclasses.replace(_short(), run=vfcore.Run(duration_s=0.4, time_step_s=1e-3))
+    sound, broken, other = run_points([_short(), too_long, HIGH])
     assert isinstance(broken.problem, StabilityError)
     assert broken.report is None
     assert sound.report.measures["mean_flow_ml_s"].value > 0
+    assert other.report.measures["mean_flow_ml_s"].value > 0
 
 
 def test_a_stop_ends_it():
     with pytest.raises(Cancelled):
         list(run_points([_short()], stop=lambda: True))
+
+
+@pytest.mark.parametrize("wrong", [{"measures": ["pitch"]}, {"precision": "float16"}])
+def test_what_is_not_known_is_refused_by_name(wrong):
+    with pytest.raises(ParameterError, match=next(iter(wrong))):
+        run_points([_short()], **wrong)
+
+
+def test_static_shapes_of_many_are_those_of_one():
+    slack = vfcore.Simulation(
+        posture=vfcore.PostureOverride(strain=-0.3), constants=vfcore.FoldConstants(epsilon_1_muc=-0.2)
+    )
+    requests = [_short(), slack, HIGH]
+    modal, failed, high = static_shapes(requests)
+    with pytest.raises(ParameterError, match="no stiffness left") as refused:
+        vfcore.static_shape(slack)
+    assert str(failed) == str(refused.value)
+    for request, found in ((requests[0], modal), (HIGH, high)):
+        expected = vfcore.static_shape(request)
+        assert np.array_equal(found.static.w_m, expected.w_m)
+        assert found.static.closure == expected.closure

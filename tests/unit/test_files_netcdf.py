@@ -29,6 +29,19 @@ def dataset(result, tmp_path_factory):
         yield opened.load()
 
 
+def test_error_bars_stand_beside_their_measures_where_they_were_asked_for(dataset):
+    assert "error_half_width" not in dataset["measure_fo_hz"].attrs
+    barred = simulate(Simulation(run=Run(duration_s=0.2, error_estimate=True)))
+    with xarray.open_dataset(io.BytesIO(netcdf_bytes(barred)), engine="h5netcdf") as opened:
+        for key, bar in barred.error_estimate.bars.items():
+            found = opened[f"measure_{key}"].attrs
+            if bar.half_width is None:
+                assert np.isnan(found["error_half_width"]) and found["error_reason"] == bar.reason
+            else:
+                assert (found["error_half_width"], found["error_limit"]) == (bar.half_width, bar.limit)
+        assert opened["measure_fo_hz"].attrs["error_half_width"] > 0.0
+
+
 def test_every_array_comes_back_exactly_with_dimensions_and_units(dataset, result):
     for name, spec in ARRAYS.items():
         assert dataset[name].dims == spec.dims

@@ -7,6 +7,7 @@ import pytest
 from vocalis_cli import paper
 from vocalis_cli.main import main
 from vocalis_paper import CLAIMS
+from vocalis_paper.report_ship import CONVERGENCE, shipped
 
 REFUSED = [
     ("--variant mine", "--variant", "paper | text_literal | both"),
@@ -14,6 +15,8 @@ REFUSED = [
     ("--only ,", "names no claim", "S1, S2"),
     ("--html /no/such/folder/r.html", "--html", "existing folder"),
     ("--study --only S1", "--only", "--study"),
+    ("--study --convergence", "--convergence", "--study"),
+    ("--convergence --html r.html", "--html", "--convergence"),
 ]
 
 
@@ -23,6 +26,16 @@ def test_what_cannot_be_used_ends_with_one_line_before_any_run(arguments, named,
     assert main(["paper", *arguments.split()]) == 2
     line = capsys.readouterr().err
     assert named in line and allowed in line and line.count("\n") == 1
+
+
+def test_convergence_prints_its_tables_and_writes_every_number(tmp_path, capsys, monkeypatch):
+    document = shipped(CONVERGENCE)
+    monkeypatch.setattr(paper, "convergence_document", lambda pool, progress: document)
+    written = tmp_path / "c.json"
+    assert main(["paper", "--convergence", "--workers", "1", "--json", str(written)]) == 0
+    assert json.loads(written.read_text()) == document
+    printed = capsys.readouterr().out
+    assert "| modal | 80 × 40 |" in printed and "| `rotation` | 40 | 40 |" in printed
 
 
 def test_chosen_claims_are_judged_on_the_chosen_variant_and_written(tmp_path, capsys):

@@ -119,10 +119,11 @@ def test_what_has_no_value_is_null_and_numbers_keep_six_figures():
 def test_tables_of_the_page_come_between_their_marks(document):
     study = {"kind": "study", "seconds": 1.0, "provenance": document["provenance"], "rows": [_row({"M1": "pass"})]}
     page = "Score\n<!-- table: score -->\nold\n<!-- end -->\nwords stay\n"
-    new = filled(page, tables(document, study))
+    table = {"score": tables(document, study)["score"]}
+    new = filled(page, table)
     assert "old" not in new and new.endswith("words stay\n") and "| `paper` |" in new
     with pytest.raises(KeyError):
-        filled(page.replace("score", "scores"), tables(document, study))
+        filled(page.replace("score", "scores"), table)
 
 
 def _row(verdicts):

@@ -1,15 +1,21 @@
 """The study changes one thing at a time, pairs what helped, and tells better from worse."""
 
+from dataclasses import replace
+
 import pytest
 
 from tests.support.inline_pool import InlinePool
-from vfcore.params import Simulation
+from vfcore.params import Activation, Simulation
+from vfcore.posture.tables import posture_set
 from vfcore.request import simulation_from_dict
+from vfcore.simulate import prepare
 from vocalis_paper import study
+from vocalis_paper.cases import CASES
 from vocalis_paper.claim import Outcome, Verdict
-from vocalis_paper.run import Gathered
+from vocalis_paper.run import Gathered, gather
 from vocalis_paper.study import changes, promising, study_document
-from vocalis_paper.study_choices import CHOICES, DEFAULT, Choice, both
+from vocalis_paper.study_choices import CHOICES, DEFAULT, DESIGNED, Choice, both
+from vocalis_paper.study_fold import with_reported_alpha
 from vocalis_paper.study_text import study_markdown
 
 
@@ -24,7 +30,7 @@ DEFAULT_ROW = row("default", A1="deviation", P2="deviation", P3="fail")
 @pytest.mark.parametrize("choice", CHOICES, ids=lambda choice: choice.name)
 def test_a_choice_is_a_request_that_is_not_the_default(choice):
     changed = simulation_from_dict(choice.change) != Simulation()
-    assert changed or choice.level != DEFAULT.level
+    assert changed or choice.level != DEFAULT.level or choice.fold is not DEFAULT.fold
 
 
 def test_two_choices_at_once_keep_both_constants():
@@ -59,7 +65,7 @@ def test_changes_and_table_tell_better_from_worse():
 def test_the_study_runs_default_choices_and_pairs_on_coarse_maps(monkeypatch):
     asked = []
 
-    def gathered(cases, pool, progress, level):
+    def gathered(cases, pool, progress, level, fold):
         asked.append((cases["ct_ta_map"].base, len(cases["ct_ta_map"].requests()), level))
         return Gathered({}, [])
 
@@ -72,7 +78,31 @@ def test_the_study_runs_default_choices_and_pairs_on_coarse_maps(monkeypatch):
     monkeypatch.setattr(study, "warm_up", lambda request: None)
     document = study_document(InlinePool())
     names = [one["choice"] for one in document["rows"]]
-    assert names[0] == DEFAULT.name and names[-1].startswith("level at 30 cm + vowel")
-    assert len(names) == 1 + len(CHOICES) + 1
+    assert names[0] == DEFAULT.name and names[len(CHOICES) + 1].startswith("level at 30 cm + vowel")
+    assert len(names) == 1 + len(CHOICES) + 1 + len(DESIGNED)
     assert {cells for _, cells, _ in asked} == {121}
     assert "T1" not in document["rows"][0]["outcomes"] and len(document["rows"][0]["outcomes"]) == 28
+
+
+def test_the_reported_alpha_stiffens_a_relaxed_stretched_fold_and_reaches_the_runs():
+    """Second-hand: up to 27 % more; nothing where TA's stiffness dwarfs that of the ligament."""
+    slack = Simulation(activation=Activation(lca=0.6, ia=0.6, ct=0.0, ta=0.0))
+    tight = Simulation(activation=Activation(lca=0.6, ia=0.6, ct=0.0, ta=1.0))
+    ratios = []
+    for request in (slack, tight):
+        text, reported = prepare(request), with_reported_alpha(request)
+        assert reported.fold.coefficients.beam_tension_n == text.fold.coefficients.beam_tension_n
+        mu = [one.fold.coefficients.bending_stiffness_n_m2 for one in (text, reported)]
+        ratios.append(mu[1] / mu[0])
+    assert 1.2 < ratios[0] < 1.28 and 1.0 < ratios[1] < 1.001
+    case = {"static_ta": replace(CASES["static_ta"], base=slack)}
+    shapes = [gather(case, InlinePool(), fold=f).evidence["static_ta"].w_b_m[0] for f in (prepare, with_reported_alpha)]
+    assert abs(shapes[1] - shapes[0]).max() > 1e-7
+
+
+def test_tissue_mixes_change_their_tissues_alone():
+    at = {choice.name: choice for choice in CHOICES}
+    request = simulation_from_dict(at["posturing tissue TA and muc of alzamendi2020"].change)
+    own, other = posture_set("serry2026"), posture_set("alzamendi2020")
+    assert (request.posturing.ta, request.posturing.muc, request.posturing.lig) == (other.ta, other.muc, own.lig)
+    assert simulation_from_dict(DESIGNED[-1].change).posturing.L_0_posture_m == 0.015

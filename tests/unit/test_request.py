@@ -12,7 +12,7 @@ from vfcore.request import numeric_paths, simulation_from_dict, simulation_to_di
 from vfcore.schema import parameter_schema
 
 ROWS = parameter_schema()
-NUMBERS = [row for row in ROWS if row["type"] != "choice"]
+NUMBERS = [row for row in ROWS if row["type"] not in ("choice", "boolean")]
 CHOICES = [row for row in ROWS if row["type"] == "choice"]
 
 

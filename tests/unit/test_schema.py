@@ -54,6 +54,8 @@ def test_every_row_can_make_a_control(row):
     if row["type"] == "choice":
         assert row["options"] and (row["nullable"] or row["default"] in row["options"])
         assert (row["min"], row["max"], row["step"], row["unit"]) == (None, None, None, None)
+    elif row["type"] == "boolean":
+        assert row["default"] in (True, False) and (row["options"], row["unit"], row["step"]) == (None, None, None)
     else:
         assert row["min"] < row["max"] and row["unit"] and row["options"] is None
         assert row["nullable"] or row["min"] <= row["default"] <= row["max"]

@@ -44,7 +44,7 @@ class Radiated(NamedTuple):
     """Sound of a run, shape (n,) each: pressure at the lips and at FAR_DISTANCE_M, Pa; flow at the lips, m³/s."""
 
     lip_pressure_pa: np.ndarray
-    mouth_flow_m3_s: np.ndarray
+    mouth_flow_m3_s: np.ndarray | None
     far_pressure_pa: np.ndarray
 
 
@@ -80,7 +80,7 @@ def _cubic(distance: np.ndarray) -> np.ndarray:
 
 
 @lru_cache(maxsize=16)
-def _response_at(tract: Tract, time_step_s: float) -> np.ndarray:
+def response_at(tract: Tract, time_step_s: float) -> np.ndarray:
     """g for lip pressure, mouth flow and far pressure, shape (3, taps)."""
     lip_pressure, mouth_flow = impulse_response(tract)
     flow_rate = np.convolve(mouth_flow, _CENTRAL_DIFFERENCE)[2:-2] / tract.section_travel_s
@@ -100,11 +100,16 @@ def _response_at(tract: Tract, time_step_s: float) -> np.ndarray:
 @lru_cache(maxsize=16)
 def _spectra_at(tract: Tract, time_step_s: float, length: int) -> np.ndarray:
     """Spectra of g, zero-padded to ``length`` samples, shape (3, length//2 + 1)."""
-    return rfft(_response_at(tract, time_step_s), length, axis=1)
+    return rfft(response_at(tract, time_step_s), length, axis=1)
 
 
-def radiate(flow_m3_s: np.ndarray, time_step_s: float, tract: Tract) -> Radiated:
-    """Sound of a glottal flow, shape (n,) at ``time_step_s``, at the same times as the flow.
+def radiate(
+    flow_m3_s: np.ndarray, time_step_s: float, tract: Tract, first: int = 0, mouth_flow: bool = True
+) -> Radiated:
+    """Sound of a glottal flow, shape (n,) at ``time_step_s``, at the same times as the flow from sample ``first`` on.
+
+    ``mouth_flow`` False leaves that waveform out (None). What comes out from ``first`` on does not depend, bit for bit,
+    on whether the part before it is asked for too, in a call of its own.
 
     ParameterError when the flow is not a finite waveform, or the step is out of range or longer than the sound's
     travel through the tract.
@@ -116,14 +121,20 @@ def radiate(flow_m3_s: np.ndarray, time_step_s: float, tract: Tract) -> Radiated
         raise ParameterError("flow_m3_s", f"shape {flow.shape} is not a waveform", "one value per time step")
     if not np.isfinite(flow).all():
         raise ParameterError("flow_m3_s", "the flow has values that are not finite", "finite values, m³/s")
-    taps = _response_at(tract, float(time_step_s)).shape[1]
-    block = min(flow.size, max(LONGEST_BLOCK, 2 * taps))
+    taps = response_at(tract, float(time_step_s)).shape[1]
+    count = flow.size - first
+    block = min(count, max(LONGEST_BLOCK, 2 * taps))
     length = next_fast_len(block + taps - 1, real=True)
     spectra = _spectra_at(tract, float(time_step_s), length)
     hop = length - taps + 1
-    sound = np.zeros((3, flow.size + length))
-    for start in range(0, flow.size, hop):  # overlap-add: a block's response reaches into the next ones
-        spectrum = rfft(flow[start : start + hop], length)
-        for waveform, response in zip(sound, spectra, strict=True):
-            waveform[start : start + length] += irfft(spectrum * response, length, overwrite_x=True)
-    return Radiated(*sound[:, : flow.size])
+    rows = (0, 1, 2) if mouth_flow else (0, 2)
+    sound = {row: np.empty(count) for row in rows}
+    for start in range(0, count, hop):  # overlap-save: a block reads the flow as far back as the response reaches
+        begin, end = first + start - taps + 1, min(first + start + hop, flow.size)
+        heard = np.zeros(length)
+        heard[max(-begin, 0) : end - begin] = flow[max(begin, 0) : end]
+        spectrum = rfft(heard, overwrite_x=True)
+        for row, waveform in sound.items():
+            part = irfft(spectrum * spectra[row], length, overwrite_x=True)
+            waveform[start : start + hop] = part[taps - 1 : taps - 1 + end - first - start]
+    return Radiated(sound[0], sound.get(1), sound[2])

@@ -1,7 +1,8 @@
 """A finished run as one netCDF-4 file: waveforms, one cycle of fields, measures, and all it takes to run it again.
 
 Variables: every array of ``vfcore.result.ARRAYS`` under its name, float64; every measure as the scalar
-``measure_<key>`` (NaN with a ``reason`` where there is none); posture and coefficients as ``posture_<name>`` and
+``measure_<key>`` (NaN with a ``reason`` where there is none), with its error bar as ``error_half_width`` and
+``error_limit`` where the request asked for it; posture and coefficients as ``posture_<name>`` and
 ``coefficient_<name>``. Attributes of the file: phonation state, provenance, and the request as JSON.
 """
 
@@ -43,7 +44,7 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
         for name, spec in ARRAYS.items()
     }
     for spec in CATALOGUE:
-        variables[f"measure_{spec.key}"] = _measure(spec, document["measures"][spec.key])
+        variables[f"measure_{spec.key}"] = _measure(spec, document["measures"][spec.key], _bar_of(document, spec.key))
     for prefix, section, quantities in (("posture", "posture", POSTURE), ("coefficient", "coefficients", COEFFICIENTS)):
         for name, quantity in quantities.items():
             value = document[section][name]
@@ -68,8 +69,18 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
     return variables, attributes
 
 
-def _measure(spec, measure: dict[str, Any]) -> Variable:
-    attributes = {"units": measure["unit"], "long_name": spec.name, "symbol": spec.symbol}
+def _bar_of(document: dict[str, Any], key: str) -> dict[str, Any]:
+    """Attributes that hold the error bar of a measure, where one was asked for (NaN with a reason for none)."""
+    if document["error_estimate"] is None:
+        return {}
+    bar = document["error_estimate"]["measures"][key]
+    if bar["half_width"] is None:
+        return {"error_half_width": float("nan"), "error_reason": bar["reason"]}
+    return {"error_half_width": bar["half_width"], "error_limit": bar["limit"]}
+
+
+def _measure(spec, measure: dict[str, Any], bar: dict[str, Any]) -> Variable:
+    attributes = {"units": measure["unit"], "long_name": spec.name, "symbol": spec.symbol} | bar
     if measure["value"] is None:
         return Variable((), float("nan"), attributes | {"reason": measure["reason"]})
     return Variable((), measure["value"], attributes)

@@ -6,15 +6,16 @@ The damper may pull (p_col < 0) while the folds separate; the paper keeps that o
 """
 
 from vfcore.kernels.jit import jit
+from vfcore.kernels.lanes import where
 
 
 @jit
 def touching(w, G):
     """Heaviside of the penetration."""
-    return 1.0 if w > G else 0.0
+    return w > G
 
 
 @jit
 def contact_pressure(w, velocity, G, K_col, C_col):
     """p_col, Pa, positive against the fold."""
-    return touching(w, G) * (K_col * (w - G) + C_col * velocity)
+    return where(touching(w, G), K_col * (w - G) + C_col * velocity, 0.0)

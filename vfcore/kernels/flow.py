@@ -19,9 +19,8 @@ running minimum) exceeds d_sep. In a closed slice (d_min = 0) nothing flows; nod
 inlet down to and including the first contact carry P_s  [eq. AerodynamicPressureClosed].
 """
 
-import math
-
 from vfcore.kernels.jit import jit
+from vfcore.kernels.lanes import maximum, minimum, square_root, where
 
 # A reciprocal needs a gap above zero. 1 pm is five orders below any gap that passes flow.
 SMALLEST_GAP_M = 1e-12
@@ -30,32 +29,37 @@ SMALLEST_GAP_M = 1e-12
 @jit
 def gap(G, w):
     """Local gap height d_g, m."""
-    return 2.0 * max(G - w, 0.0)
+    return 2.0 * maximum(G - w, 0.0)
 
 
 @jit
 def reciprocal(d):
     """1/d, with d kept above SMALLEST_GAP_M."""
-    return 1.0 / max(d, SMALLEST_GAP_M)
+    return 1.0 / maximum(d, SMALLEST_GAP_M)
 
 
 @jit
 def separation_gap(d_min, d_max, alpha_s):
     """d_sep, m."""
-    return min(alpha_s * d_min, d_max)
+    return minimum(alpha_s * d_min, d_max)
 
 
 @jit
 def attached(running_min, running_min_upstream, d_sep, d_min):
-    """1.0 where the flow is attached (open slice) or the node is on the lung side (closed slice)."""
-    smallest = running_min if d_min > 0.0 else running_min_upstream
-    return 1.0 if smallest > d_sep else 0.0
+    """True where the flow is attached (open slice) or the node is on the lung side (closed slice)."""
+    return where(d_min > 0.0, running_min, running_min_upstream) > d_sep
 
 
 @jit
-def viscous_segment(r0, r1, half_dy):
-    """Trapezoid of ∫ dη/d³ over one node spacing, from the reciprocal gaps at both ends, m⁻²."""
-    return half_dy * (r0 * r0 * r0 + r1 * r1 * r1)
+def cube(r):
+    """1/d³ from 1/d, m⁻³."""
+    return r * r * r
+
+
+@jit
+def viscous_segment(cube_0, cube_1, half_dy):
+    """Trapezoid of ∫ dη/d³ over one node spacing, from 1/d³ at both ends, m⁻²."""
+    return half_dy * (cube_0 + cube_1)
 
 
 @jit
@@ -64,8 +68,8 @@ def slice_flux(P_s, viscous_integral, d_sep, d_min, half_rho_a, twelve_mu_a):
     r = reciprocal(d_sep)
     A = half_rho_a * r * r
     B = twelve_mu_a * viscous_integral
-    q = 2.0 * P_s / (B + math.sqrt(B * B + 4.0 * A * P_s) + 1e-300)
-    return q if d_min > 0.0 else 0.0
+    q = 2.0 * P_s / (B + square_root(B * B + 4.0 * A * P_s) + 1e-30)
+    return where(d_min > 0.0, q, 0.0)
 
 
 @jit

@@ -12,160 +12,180 @@ trapezoidal rule for its own stiffness A (tension, bending, end moments, per mas
 which is unconditionally stable and undamped. With S = (I − dt²A/4)⁻¹ and SA = (4/dt²)(S − I)
 the right side is S (f/ρ_l + 4/dt² w_b) − 4/dt² w_b: one dense product per step.
 
+Kept between steps: w, v^{n−½} and v*, so that every damper reads v* without computing it again.
+Shear is taken in differences between rows, with G̃/dy² and η̃/dy²; an edge row is a half cell,
+so its flux counts twice (``per_weight``) and its traction and contact half (``weight``).
+
 Order 2 in dt, dx, dy. Stability: vfcore/stability.py. Boundary slices x = 0, L count by the
-trapezoid rule in area and flow. Written column by column (all y at one x) without branches:
-the compiler unrolls the rows and vectorises over x. nx, ny and the shear form are constants
-of the compiled loop.
+trapezoid rule in area and flow.
 """
 
 import math
 from functools import lru_cache
 
 from vfcore.kernels import contact, flow, membrane
-from vfcore.kernels.jit import compile_columns, jit
-from vfcore.kernels.layout import FIRST, Layout
+from vfcore.kernels.jit import jit
+from vfcore.kernels.lanes import each, lane, load, maximum, minimum, spread, store, total, where
+from vfcore.kernels.layout import LANES, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
 gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
-viscous_segment, slice_flux, pressure = flow.viscous_segment, flow.slice_flux, flow.pressure
+cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, flow.slice_flux, flow.pressure
 tension, coupling = membrane.tension, membrane.coupling
 shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
 
 
 @lru_cache(maxsize=32)
-def step_kernel(nx: int, ny: int, rotation: bool):
+def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", many: bool = False):
     """The compiled loop for one grid: ``advance(buf, par, P_s, record_every, record) -> None``.
 
-    ``buf``: Layout(nx, ny).size float64. ``par``: layout.SCALARS. ``P_s``: lung pressure at
-    each of the steps, Pa. ``record``: (len(P_s)//record_every, 5), layout.RECORD at the state
-    before the step. Not validated against measurements; verified in tests/physics.
+    Of one fold, whose columns are the lanes, or of ``many``: LANES[precision] folds, one in each lane. With n of them:
+    ``buf`` (Layout.size,); ``par`` (n·len(SCALARS),) layout.SCALARS, n neighbours each; ``P_s`` (n·steps,) lung
+    pressure at each step, Pa; ``record`` (n·5·(steps//record_every),) layout.RECORD at the state before the step, n
+    neighbours each. All flat, of the same precision. Not validated against measurements; verified in tests/physics.
     """
-    L = Layout(nx, ny)
-    S, N, NB = L.stride, L.columns, nx - 2
-    C1 = FIRST + 1  # column 1
-    W, V, DV = L.field("w"), L.field("v"), L.field("dv")
-    PH, VPH, DPH = L.field("phi"), L.field("vphi"), L.field("dvphi")
-    G, K = L.field("G"), L.field("K_coup")
-    R, M, I = L.field("reciprocal"), L.field("running_min"), L.field("viscous")
-    AT, F, Q = L.field("attached"), L.field("force"), L.field("flux")
-    WB, VB, DB = L.line("w_b"), L.line("v_b"), L.line("dv_b")
-    FB, AB, LOAD = L.line("beam_force"), L.line("beam_acceleration"), L.line("beam_load")
-    INV, WIDTH, PC = L.line("inverse_density"), L.line("width"), L.line("slice_contact")
-    BI = L.beam_inverse
+    W = LANES[precision]
+    P = W if many else 1
+    L = Layout(nx, ny, W, P)
+    S, C1, END, NB = L.stride, L.first, L.first + L.worked, nx - 2
+    WM, V, VS, G = L.field("w"), L.field("v"), L.field("v_star"), L.field("G")
+    PH, VPH, VPHS = L.field("phi"), L.field("vphi"), L.field("vphi_star")
+    K, WEIGHT, PER_WEIGHT = (L.row_numbers(name) // P for name in ("K_coup", "weight", "per_weight"))
+    R, M, I = L.row_numbers("reciprocal"), L.row_numbers("running_min"), L.row_numbers("viscous")
+    WB, VB, VBS, FB = L.line("w_b"), L.line("v_b"), L.line("v_star_b"), L.line("beam_force")
+    LOAD, INV, WIDTH, COLUMN = L.line("beam_load"), L.line("inverse_density"), L.line("width"), L.line("column")
+    BI, WORKED = L.beam_inverse, L.worked
 
     @jit
     def advance(buf, par, P_s_of, record_every, record):
-        dt, dy, alpha_s, half_rho_a, twelve_mu_a, T = par[0], par[1], par[2], par[3], par[4], par[5]
-        G_t, eta_t, C_coup, K_col, C_col, K_foun = par[6], par[7], par[8], par[9], par[10], par[11]
-        C_foun, per_rho_l, per_J, G_m, eta_m = par[12], par[13], par[14], par[15], par[16]
-        per_dy, half_dy, four_per_dt2 = 1.0 / dy, 0.5 * dy, 4.0 / (dt * dt)
+        dt, dy, alpha_s = each(par, 0, P, W), each(par, 1, P, W), each(par, 2, P, W)
+        half_rho_a, twelve_mu_a, T = each(par, 3, P, W), each(par, 4, P, W), each(par, 5, P, W)
+        G_t, eta_t, C_coup = each(par, 6, P, W), each(par, 7, P, W), each(par, 8, P, W)
+        K_col, C_col, K_foun = each(par, 9, P, W), each(par, 10, P, W), each(par, 11, P, W)
+        C_foun, per_rho_l, per_J = each(par, 12, P, W), each(par, 13, P, W), each(par, 14, P, W)
+        G_m, eta_m = each(par, 15, P, W), each(par, 16, P, W)
+        half_dy, per_dy, four_per_dt2 = 0.5 * dy, 1.0 / dy, 4.0 / (dt * dt)
+        zero, far = spread(0.0, buf, W), spread(1.0, buf, W)
 
-        for n in range(P_s_of.size):
-            P_s = P_s_of[n]
-            area, flow_rate, contact_area = 0.0, 0.0, 0.0
+        for n in range(P_s_of.size // P):
+            P_s = each(P_s_of, n, P, W)
+            area = flow_rate = contact_area = largest = column = zero
 
-            for i in range(C1, C1 + N):
+            for i in range(C1, END, W):
                 # flow: gaps, running minimum from the inlet, separation, flux
-                buf[M + ny * S + i] = 1.0
-                d_max = 0.0
+                smallest, d_max = far, zero
                 for k in range(ny):
-                    o = (ny - 1 - k) * S + i
-                    d = gap(buf[G + o], buf[W + o])
-                    buf[M + o] = min(d, buf[M + o + S])
-                    d_max = max(d, d_max)
-                    buf[R + o] = reciprocal(d)
-                d_min = buf[M + i]
+                    j = ny - 1 - k
+                    d = gap(load(buf, G + j * S + i, W), load(buf, WM + j * S + i, W))
+                    smallest = minimum(d, smallest)
+                    d_max = maximum(d, d_max)
+                    store(buf, M + j * W, smallest)
+                    store(buf, R + j * W, reciprocal(d))
+                d_min = smallest
                 d_sep = separation_gap(d_min, d_max, alpha_s)
-                integral = 0.0
-                for k in range(ny):
-                    o = (ny - 1 - k) * S + i
-                    on = attached(buf[M + o], buf[M + o + S], d_sep, d_min)
-                    buf[AT + o] = on
-                    buf[I + o] = integral
-                    if k < ny - 1:
-                        integral += on * viscous_segment(buf[R + o], buf[R + o - S], half_dy)
+                integral, upstream = zero, far
+                here = cube(load(buf, R + (ny - 1) * W, W))
+                for k in range(ny - 1):
+                    j = ny - 1 - k
+                    running = load(buf, M + j * W, W)
+                    on = attached(running, upstream, d_sep, d_min)
+                    upstream = running
+                    above = cube(load(buf, R + j * W - W, W))
+                    store(buf, I + j * W, integral)
+                    integral = where(on, integral + viscous_segment(here, above, half_dy), integral)
+                    here = above
+                store(buf, I, integral)
                 q = slice_flux(P_s, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
 
-                # contact and membrane: all forces but shear; the beam's share of the coupling
-                w_b = buf[WB + i]
-                v_b = buf[VB + i] + 0.5 * buf[DB + i]
-                largest, touched, to_beam = 0.0, 0.0, 0.0
-                for j in range(ny):
+                # contact and membrane
+                w_b, v_b = load(buf, WB + i, W), load(buf, VBS + i, W)
+                inverse = dt * load(buf, INV + i, W)
+                slice_largest, touched, to_beam, flux_below = zero, zero, zero, zero
+                w, v, upstream = load(buf, WM + (ny - 1) * S + i, W), load(buf, VS + (ny - 1) * S + i, W), far
+                for k in range(ny):
+                    j = ny - 1 - k
                     o = j * S + i
-                    w = buf[W + o]
-                    v = buf[V + o] + 0.5 * buf[DV + o]
-                    weight = 0.5 if j == 0 or j == ny - 1 else 1.0
-                    p_aero = buf[AT + o] * pressure(P_s, q, buf[R + o], buf[I + o], half_rho_a, twelve_mu_a)
-                    p_col = contact_pressure(w, v, buf[G + o], K_col, C_col)
-                    traction = coupling(w, v, w_b, v_b, buf[K + o], C_coup)
-                    largest = max(p_col, largest)
-                    touched += weight * touching(w, buf[G + o])
-                    to_beam += weight * traction
-                    buf[F + o] = tension(buf[W + o - 1], w, buf[W + o + 1], T) - traction - p_aero - p_col
-                # membrane: shear between rows
-                for j in range(ny - 1):
-                    o = j * S + i
-                    v0 = buf[V + o] + 0.5 * buf[DV + o]
-                    v1 = buf[V + o + S] + 0.5 * buf[DV + o + S]
-                    if rotation:
-                        rate = shear_strain(v0, v1, buf[VPH + o] + 0.5 * buf[DPH + o], per_dy)
-                        strain = shear_strain(buf[W + o], buf[W + o + S], buf[PH + o], per_dy)
-                        d_vphi = dt * per_J * shear_flux(strain, rate, G_m, eta_m)
-                        buf[DPH + o] = d_vphi
-                        buf[VPH + o] += d_vphi
-                        buf[PH + o] += dt * buf[VPH + o]
-                    else:
-                        rate = shear_strain(v0, v1, 0.0, per_dy)
-                        strain = shear_strain(buf[W + o], buf[W + o + S], 0.0, per_dy)
-                    buf[Q + o] = shear_flux(strain, rate, G_t, eta_t) * per_dy
-                for j in range(ny):
-                    o = j * S + i
-                    if j == 0:
-                        shear = 2.0 * buf[Q + o]
-                    elif j == ny - 1:
-                        shear = -2.0 * buf[Q + o - S]
-                    else:
-                        shear = buf[Q + o] - buf[Q + o - S]
-                    buf[F + o] = dt * (buf[F + o] + shear) * buf[INV + i]
+                    G_j, r = load(buf, G + o, W), load(buf, R + j * W, W)
+                    running = load(buf, M + j * W, W)
+                    on = attached(running, upstream, d_sep, d_min)
+                    upstream = running
+                    p_aero = where(on, pressure(P_s, q, r, load(buf, I + j * W, W), half_rho_a, twelve_mu_a), 0.0)
+                    p_col = contact_pressure(w, v, G_j, K_col, C_col)
+                    traction = coupling(w, v, w_b, v_b, each(buf, K + j, P, W), C_coup)
+                    weight, per_weight = each(buf, WEIGHT + j, P, W), each(buf, PER_WEIGHT + j, P, W)
+                    slice_largest = maximum(p_col, slice_largest)
+                    touched = where(touching(w, G_j), touched + weight, touched)
+                    to_beam = to_beam + weight * traction
+                    flux, w_next, v_next = zero, w, v
+                    if j > 0:
+                        w_next, v_next = load(buf, WM + o - S, W), load(buf, VS + o - S, W)
+                        if rotation:
+                            h = o - S  # φ on the half node between rows j−1 and j
+                            strain = shear_strain(w_next, w, dy * load(buf, PH + h, W))
+                            rate = shear_strain(v_next, v, dy * load(buf, VPHS + h, W))
+                            d_vphi = dt * per_J * per_dy * shear_flux(strain, rate, G_m, eta_m)
+                            vphi = load(buf, VPH + h, W) + d_vphi
+                            store(buf, VPH + h, vphi)
+                            store(buf, VPHS + h, vphi + 0.5 * d_vphi)
+                            store(buf, PH + h, load(buf, PH + h, W) + dt * vphi)
+                        else:
+                            strain, rate = shear_strain(w_next, w, 0.0), shear_strain(v_next, v, 0.0)
+                        flux = shear_flux(strain, rate, G_t, eta_t)
+                    along = tension(load(buf, WM + o - P, W), w, load(buf, WM + o + P, W), T)
+                    force = along - p_aero - p_col - traction + per_weight * (flux_below - flux)
+                    dv = inverse * force
+                    new = load(buf, V + o, W) + dv
+                    store(buf, V + o, new)
+                    store(buf, VS + o, new + 0.5 * dv)
+                    flux_below, w, v = flux, w_next, v_next
+
                 # beam: load per mass, ready for the implicit product
-                load = to_beam * dy - K_foun * w_b - C_foun * v_b
-                buf[FB + i] = load * per_rho_l + buf[LOAD + i] + four_per_dt2 * w_b
-                buf[PC + i] = largest
-                area += d_min * buf[WIDTH + i]
-                flow_rate += q * buf[WIDTH + i]
-                contact_area += touched * buf[WIDTH + i]
+                beam = to_beam * dy - K_foun * w_b - C_foun * v_b
+                store(buf, FB + i, beam * per_rho_l + load(buf, LOAD + i, W) + four_per_dt2 * w_b)
+                width = load(buf, WIDTH + i, W)
+                area = area + d_min * width
+                flow_rate = flow_rate + q * width
+                contact_area = contact_area + touched * width * dy
+                slice_largest = where(load(buf, INV + i, W) > 0.0, slice_largest, 0.0)
+                column = where(slice_largest > largest, load(buf, COLUMN + i, W), column)
+                largest = maximum(slice_largest, largest)
 
             if n % record_every == 0:
-                row = n // record_every
-                record[row, 0] = area
-                record[row, 1] = flow_rate
-                record[row, 2] = 0.0
-                record[row, 3] = math.nan
-                record[row, 4] = contact_area * dy
-                if contact_area > 0.0:
-                    for i in range(C1, C1 + NB):
-                        if buf[PC + i] > record[row, 2]:
-                            record[row, 2] = buf[PC + i]
-                            record[row, 3] = i - FIRST
+                row = n // record_every * 5
+                if P == 1:
+                    record[row] = total(area)
+                    record[row + 1] = total(flow_rate)
+                    record[row + 2] = 0.0
+                    record[row + 3] = math.nan
+                    record[row + 4] = total(contact_area)
+                    if record[row + 4] > 0.0:
+                        for k in range(W):
+                            p, c = lane(largest, k), lane(column, k)
+                            if p > record[row + 2] or (p == record[row + 2] and c < record[row + 3]):
+                                record[row + 2], record[row + 3] = p, c
+                else:
+                    store(record, row * W, area)
+                    store(record, row * W + W, flow_rate)
+                    store(record, row * W + 2 * W, largest)
+                    store(record, row * W + 3 * W, where(largest > 0.0, column, math.nan))
+                    store(record, row * W + 4 * W, contact_area)
 
-            # membrane and beam: advance velocity, then displacement
-            for o in range(ny * S):
-                dv = buf[F + o]
-                v = buf[V + o] + dv
-                buf[DV + o] = dv
-                buf[V + o] = v
-                buf[W + o] += dt * v
-            for i in range(C1, C1 + N):
-                acceleration = -four_per_dt2 * buf[WB + i]
+            # membrane and beam: displacement
+            for j in range(ny):
+                for i in range(C1, END, W):
+                    o = j * S + i
+                    store(buf, WM + o, load(buf, WM + o, W) + dt * load(buf, V + o, W))
+            for i in range(C1, END, W):
+                w_b = load(buf, WB + i, W)
+                acceleration = 0.0 - four_per_dt2 * w_b
                 for k in range(NB):
-                    acceleration += buf[BI + k * N + i - C1] * buf[FB + C1 + k]
-                buf[AB + i] = acceleration
-            for i in range(C1, C1 + N):
-                dv = dt * buf[AB + i]
-                v = buf[VB + i] + dv
-                buf[DB + i] = dv
-                buf[VB + i] = v
-                buf[WB + i] += dt * v
+                    acceleration = acceleration + load(buf, BI + k * WORKED + i - C1, W) * each(
+                        buf, (FB + C1) // P + k, P, W
+                    )
+                dv = dt * acceleration
+                new = load(buf, VB + i, W) + dv
+                store(buf, VB + i, new)
+                store(buf, VBS + i, new + 0.5 * dv)
+                store(buf, WB + i, w_b + dt * new)
 
-    compile_columns(advance, "void(f8[::1], f8[::1], f8[::1], i8, f8[:, ::1])", ny)
     return advance

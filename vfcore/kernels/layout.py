@@ -1,88 +1,96 @@
-"""Where each field of a fold lives in the one flat buffer that the step works on.
+"""Where each field of one fold, or of several side by side, lives in the one flat buffer that the step works on.
 
-One buffer with constant offsets lets the compiler prove that rows do not overlap, which is
-what makes it vectorise over x. A field is ``ny`` rows (y = 0 first) of ``stride`` columns.
-Column 0 is the anterior end x = 0, column nx−1 the posterior end; both are held at rest by a
-zero inverse density. The step works on columns 1 … ``columns``, a multiple of the vector
-length, so the posterior end and a few idle columns ride along.
+A field is ``ny`` rows (y = 0 first) of ``stride`` numbers: columns along x, each of ``postures`` neighbouring numbers,
+one per fold. Column 0 is the anterior end x = 0, column nx−1 the posterior end; both are held at rest by a zero
+inverse density. The step works on ``lanes`` neighbours at a time, from column 1 on: on columns of one fold
+(``postures = 1``; a few idle columns ride along to fill the last lanes), or on the same column of ``lanes`` folds
+(``postures = lanes``).
 
 ::
 
     row:  | pad | x=0 | 1 … nx−2 | x=L | idle … | pad |
-            ^     ^     ^ FIRST+1
-            |     FIRST
+            ^     ^     ^ first
+            |     anterior
+
+Offsets are constants of the compiled loop, so the compiler can prove that rows do not overlap.
 """
 
 from dataclasses import dataclass
 
-VECTOR = 4  # float64 lanes of a 256-bit register
-FIRST = 3  # offset of column 0 in a row, so that column 1 starts on a vector boundary
+#: Numbers worked on together: 512 bits, twice what most processors take at once, which fills their pipelines.
+LANES = {"float64": 8, "float32": 16}
+LINE = 8  # numbers (float64) of a cache line
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Offsets (in float64 elements) for a grid of nx × ny nodes, ends included."""
+    """Offsets (in numbers) for grids of nx × ny nodes, ends included."""
 
     nx: int
     ny: int
+    lanes: int = LANES["float64"]
+    postures: int = 1
 
     @property
     def columns(self) -> int:
         """Columns worked on, from column 1: the interior, the posterior end, idle ones."""
-        return -(-(self.nx - 1) // VECTOR) * VECTOR
+        together = self.lanes // self.postures
+        return -(-(self.nx - 1) // together) * together
+
+    @property
+    def anterior(self) -> int:
+        """The place of column 0 among the columns of a row: column 1 starts on a cache line."""
+        return LINE - 1 if self.postures == 1 else 0
 
     @property
     def stride(self) -> int:
-        return self.columns + 2 * VECTOR
+        """Length of a row; an odd number of columns of several folds, for rows a power of two apart share few places in
+        the cache and would drive each other out."""
+        if self.postures > 1:
+            return (self.nx | 1) * self.postures
+        return LINE * (1 + -(-(self.columns + 1) // LINE))
+
+    @property
+    def first(self) -> int:
+        """Offset of column 1 in a row."""
+        return (self.anterior + 1) * self.postures
+
+    @property
+    def worked(self) -> int:
+        """Numbers of a row that the step works on."""
+        return self.columns * self.postures
 
     def field(self, name: str) -> int:
-        """Offset of row y = 0 of a field of ny rows (``running_min`` has ny + 1)."""
-        return FIELDS.index(name) * (self.ny + 1) * self.stride
+        """Offset of row y = 0 of a field of ny rows."""
+        return FIELDS.index(name) * self.ny * self.stride
 
     def line(self, name: str) -> int:
         """Offset of a single row over x."""
-        return (len(FIELDS) * (self.ny + 1) + LINES.index(name)) * self.stride
+        return (len(FIELDS) * self.ny + LINES.index(name)) * self.stride
+
+    def row_numbers(self, name: str) -> int:
+        """Offset of ny numbers over y: ``postures`` neighbours each for a constant, ``lanes`` for scratch."""
+        return (len(FIELDS) * self.ny + len(LINES)) * self.stride + ROW_NUMBERS.index(name) * self.ny * self.lanes
 
     @property
     def beam_inverse(self) -> int:
-        """Offset of (I − dt²A/4)⁻¹, nx−2 rows of ``columns``, stored by column of the matrix."""
-        return (len(FIELDS) * (self.ny + 1) + len(LINES)) * self.stride
+        """Offset of (I − dt²A/4)⁻¹, nx−2 rows of ``worked`` numbers, stored by column of the matrix."""
+        return (len(FIELDS) * self.ny + len(LINES)) * self.stride + len(ROW_NUMBERS) * self.ny * self.lanes
 
     @property
     def size(self) -> int:
-        return self.beam_inverse + (self.nx - 2) * self.columns
+        return self.beam_inverse + (self.nx - 2) * self.worked
 
 
-# State: displacement, velocity at the half step, last velocity increment; phi likewise.
-# Fixed: medial plane G, coupling stiffness. Scratch: the rest.
-FIELDS = (
-    "w",
-    "v",
-    "dv",
-    "phi",
-    "vphi",
-    "dvphi",
-    "G",
-    "K_coup",
-    "reciprocal",
-    "running_min",
-    "viscous",
-    "attached",
-    "force",
-    "flux",
-)
-STATE_FIELDS = ("w", "v", "dv", "phi", "vphi", "dvphi")
-LINES = (
-    "w_b",
-    "v_b",
-    "dv_b",
-    "beam_force",
-    "beam_acceleration",
-    "beam_load",
-    "inverse_density",
-    "width",
-    "slice_contact",
-)
+# State: displacement, velocity at the half step, velocity extrapolated to the time of the displacement; phi likewise.
+# Fixed: medial plane G.
+FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star", "G")
+STATE_FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star")
+# State of the beam. Scratch: its load. Fixed: load of the end moments, 1/ρ_s, width of the slice, number of the column.
+LINES = ("w_b", "v_b", "v_star_b", "beam_force", "beam_load", "inverse_density", "width", "column")
+# Fixed: coupling stiffness, weight of a row (½ at the edges) and its inverse.
+# Scratch of the columns at hand: 1/d_g, min d_g from the inlet, viscous integral.
+ROW_NUMBERS = ("K_coup", "weight", "per_weight", "reciprocal", "running_min", "viscous")
 
 # Scalars of the step, in this order in the parameter array.
 SCALARS = (
@@ -92,8 +100,8 @@ SCALARS = (
     "half_rho_a",
     "twelve_mu_a",
     "T_over_dx2",
-    "G_shear",
-    "eta_shear",
+    "G_shear_per_dy2",
+    "eta_shear_per_dy2",
     "C_coup",
     "K_col",
     "C_col",

@@ -28,9 +28,9 @@ def coupling(w_m, v_m, w_b, v_b, K_coup, C_coup):
 
 
 @jit
-def shear_strain(w_low, w_high, phi, per_dy):
-    """∂_y w − φ on the half node between two rows (φ = 0 for ``kelvin_voigt``); rates alike."""
-    return (w_high - w_low) * per_dy - phi
+def shear_strain(w_low, w_high, phi_dy):
+    """dy (∂_y w − φ) on the half node between two rows (φ = 0 for ``kelvin_voigt``), m; rates alike."""
+    return w_high - w_low - phi_dy
 
 
 @jit

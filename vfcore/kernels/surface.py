@@ -11,7 +11,7 @@ from vfcore.kernels.jit import jit
 
 contact_pressure = contact.contact_pressure
 gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
-viscous_segment, slice_flux, pressure = flow.viscous_segment, flow.slice_flux, flow.pressure
+cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, flow.slice_flux, flow.pressure
 
 
 @jit
@@ -31,9 +31,9 @@ def surface_pressures(w, v, G, P_s, dy, alpha_s, half_rho_a, twelve_mu_a, K_col,
             on = attached(running, upstream, d_sep, d_min)
             upstream = running
             if j > 0:
-                r0 = reciprocal(gap(G[j, i], w[j, i]))
-                r1 = reciprocal(gap(G[j - 1, i], w[j - 1, i]))
-                integral += on * viscous_segment(r0, r1, 0.5 * dy)
+                here = cube(reciprocal(gap(G[j, i], w[j, i])))
+                above = cube(reciprocal(gap(G[j - 1, i], w[j - 1, i])))
+                integral += on * viscous_segment(here, above, 0.5 * dy)
         q = slice_flux(P_s, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
         integral, upstream = 0.0, math.inf
         for k in range(ny):
@@ -45,5 +45,5 @@ def surface_pressures(w, v, G, P_s, dy, alpha_s, half_rho_a, twelve_mu_a, K_col,
             p_aero[j, i] = on * pressure(P_s, q, reciprocal(d), integral, half_rho_a, twelve_mu_a)
             p_col[j, i] = contact_pressure(w[j, i], v[j, i], G[j, i], K_col, C_col)
             if j > 0:
-                r1 = reciprocal(gap(G[j - 1, i], w[j - 1, i]))
-                integral += on * viscous_segment(reciprocal(d), r1, 0.5 * dy)
+                above = cube(reciprocal(gap(G[j - 1, i], w[j - 1, i])))
+                integral += on * viscous_segment(cube(reciprocal(d)), above, 0.5 * dy)

@@ -1,5 +1,6 @@
 """What all measures of one run share, each part worked out once and only when a measure asks for it."""
 
+from collections.abc import Callable
 from functools import cached_property
 
 import numpy as np
@@ -8,14 +9,22 @@ from vfcore.measures.cycles import Cycles, cut_cycles
 from vfcore.measures.flow import flow_slope
 from vfcore.measures.glottis import OpenPhases, open_phases
 from vfcore.measures.phonation import Phonation, judge_phonation
-from vfcore.measures.signals import Signals
+from vfcore.measures.signals import Signals, Sound
 
 
 class Analysis:
     """Signals of one run, the window, the phonation state and the cycles found in it."""
 
-    def __init__(self, signals: Signals):
+    def __init__(self, signals: Signals, radiate: Callable[[], Sound] | None = None):
         self.signals = signals
+        self._radiate = radiate
+
+    @cached_property
+    def sound(self) -> Sound:
+        """Pressure at the lips and far away, given with the signals or worked out now."""
+        if self._radiate is None:
+            return Sound(self.signals.lip_pressure_pa, self.signals.far_pressure_pa)
+        return self._radiate()
 
     def window(self, wave: np.ndarray) -> np.ndarray:
         """The measured half of ``wave``, float64."""

@@ -1,12 +1,13 @@
 """The catalogue of measures, and the one call that measures a run with all of them."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
 
+from vfcore.errors import ParameterError
 from vfcore.measures.analysis import Analysis
 from vfcore.measures.measure import Measure
 from vfcore.measures.rows import ROWS
-from vfcore.measures.signals import Signals
+from vfcore.measures.signals import Signals, Sound
 from vfcore.measures.spec import MeasureSpec
 
 
@@ -41,8 +42,8 @@ class MeasureReport:
 
     ``state``: none | periodic | subharmonic | irregular, with the sentence ``explanation``.
     ``periodicity``: normalised autocorrelation peak, None without phonation. ``measures``: by key, every row of the
-    catalogue. ``cycles``: how many cycles were averaged. ``cycle_bounds``: samples [start, stop) of one representative
-    repeating pattern in the full waves, None where no cycle can be followed.
+    catalogue or those asked for. ``cycles``: how many cycles were averaged. ``cycle_bounds``: samples [start, stop)
+    of one representative repeating pattern in the full waves, None where no cycle can be followed.
     """
 
     state: str
@@ -56,15 +57,32 @@ class MeasureReport:
 CATALOGUE = Catalogue(ROWS)
 
 
-def measure_all(signals: Signals) -> MeasureReport:
-    """Every measure of the catalogue on the last half of ``signals``; the phonation state comes first."""
-    analysis = Analysis(signals)
+def known_keys(keys: Sequence[str]) -> tuple[str, ...]:
+    """``keys`` of the catalogue; ParameterError("measures", …) for any other."""
+    known = CATALOGUE.keys()
+    for key in keys:
+        if key not in known:
+            raise ParameterError("measures", f"{key!r} is not a measure", ", ".join(known))
+    return tuple(keys)
+
+
+def measure_all(
+    signals: Signals, keys: Sequence[str] | None = None, radiate: Callable[[], Sound] | None = None
+) -> MeasureReport:
+    """Measures on the last half of ``signals``; the phonation state comes first.
+
+    ``keys``: those wanted, None for every one of the catalogue; each has the same value whatever else is asked for.
+    ``radiate``: called for the sound when a measure needs it; None where the signals hold it. Raises ParameterError
+    for an unknown key.
+    """
+    wanted = CATALOGUE if keys is None else [CATALOGUE[key] for key in known_keys(keys)]
+    analysis = Analysis(signals, radiate)
     cycles = analysis.cycles
     return MeasureReport(
         state=analysis.phonation.state,
         explanation=analysis.phonation.explanation,
         periodicity=analysis.phonation.periodicity,
-        measures={spec.key: spec.measure(analysis) for spec in CATALOGUE},
+        measures={spec.key: spec.measure(analysis) for spec in wanted},
         cycles=cycles.count if cycles else 0,
         cycle_bounds=cycles.representative if cycles else None,
     )

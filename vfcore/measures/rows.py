@@ -45,7 +45,7 @@ def _mean_flow_ml_s(a: Analysis) -> float:
 def _efficiency(a: Analysis) -> float | Missing:
     s = a.signals
     power = level.radiated_power_w(
-        a.window(s.far_pressure_pa), s.far_distance_m, s.air_density_kg_m3, s.sound_speed_m_s
+        a.window(a.sound.far_pressure_pa), s.far_distance_m, s.air_density_kg_m3, s.sound_speed_m_s
     )
     return level.efficiency(power, s.subglottal_pressure_pa, _mean_flow_ml_s(a) * 1e-6)
 
@@ -67,7 +67,7 @@ ROWS = (
         "re 20 µPa. This is the paper's SPL; it is far above what a microphone at a distance reads.",
         formula="20 log₁₀(p_rms / 20 µPa)",
         source=PAPER,
-        needs=Needs.PHONATION, compute=lambda a: level.sound_pressure_level_db(a.window(a.signals.lip_pressure_pa)),
+        needs=Needs.PHONATION, compute=lambda a: level.sound_pressure_level_db(a.window(a.sound.lip_pressure_pa)),
     ),
     MeasureSpec(
         key="spl_30cm_db", symbol="SPL₃₀", name="sound pressure level at 30 cm", unit="dB", group=LEVEL_GROUP,
@@ -77,7 +77,7 @@ ROWS = (
         formula="20 log₁₀(p_rms / 20 µPa)",
         source="Björklund & Sundberg (2016) for the distance and the expected level",
         normal_range=NormalRange(80.0, 80.0, "men, 10 cmH₂O subglottal pressure", "Björklund & Sundberg (2016)"),
-        needs=Needs.PHONATION, compute=lambda a: level.sound_pressure_level_db(a.window(a.signals.far_pressure_pa)),
+        needs=Needs.PHONATION, compute=lambda a: level.sound_pressure_level_db(a.window(a.sound.far_pressure_pa)),
     ),
     MeasureSpec(
         key="efficiency", symbol="η", name="vocal efficiency", unit="1", group=LEVEL_GROUP, signal=f"{FAR}; {FLOW}",
@@ -211,7 +211,7 @@ ROWS = (
         threshold=HARMONICS,
         source="Klatt & Klatt (1990)",
         needs=Needs.PERIODIC,
-        compute=lambda a: spectrum.h1_h2_db(a.window(a.signals.far_pressure_pa), _fo_hz(a), a.signals.sample_rate_hz),
+        compute=lambda a: spectrum.h1_h2_db(a.window(a.sound.far_pressure_pa), _fo_hz(a), a.signals.sample_rate_hz),
     ),
     MeasureSpec(
         key="cpp_db", symbol="CPP", name="cepstral peak prominence", unit="dB", group=SPECTRUM_GROUP, signal=FAR,
@@ -225,7 +225,7 @@ ROWS = (
         source="Hillenbrand, Cleveland & Erickson (1994)",
         needs=Needs.PHONATION,
         compute=lambda a: spectrum.cepstral_peak_prominence_db(
-            a.window(a.signals.far_pressure_pa), a.signals.sample_rate_hz
+            a.window(a.sound.far_pressure_pa), a.signals.sample_rate_hz
         ),
     ),
     MeasureSpec(
@@ -246,7 +246,7 @@ ROWS = (
         formula="100 · mean|a_i − a_i+1| / mean a",
         source="Titze (1995)",
         needs=Needs.IRREGULAR,
-        compute=lambda a: perturbation.shimmer_percent(a.signals.lip_pressure_pa, a.cycles),
+        compute=lambda a: perturbation.shimmer_percent(a.sound.lip_pressure_pa, a.cycles),
     ),
     MeasureSpec(
         key="hnr_db", symbol="HNR", name="harmonics-to-noise ratio", unit="dB", group=PERTURBATION_GROUP, signal=LIPS,
@@ -257,7 +257,7 @@ ROWS = (
         source="Boersma (1993)",
         needs=Needs.IRREGULAR,
         compute=lambda a: perturbation.harmonics_to_noise_db(
-            a.window(a.signals.lip_pressure_pa), a.phonation.cycle
+            a.window(a.sound.lip_pressure_pa), a.phonation.cycle
         ),
     ),
     MeasureSpec(

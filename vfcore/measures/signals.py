@@ -1,6 +1,7 @@
 """The waveforms a run hands over to be measured; nothing here knows the solver."""
 
 from dataclasses import dataclass, fields
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,6 +21,13 @@ MAY_BE_NAN = ("contact_location",)
 MIN_SAMPLES = 16
 
 
+class Sound(NamedTuple):
+    """Radiated pressure at the lips and at a distance, Pa; full waves, of which the measures read the last half."""
+
+    lip_pressure_pa: np.ndarray
+    far_pressure_pa: np.ndarray
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Signals:
     """Waveforms of one run, uniformly sampled, and the scalars that belong to them.
@@ -29,7 +37,7 @@ class Signals:
 
     - ``glottal_area_m2``: minimum glottal area A_g,min(t), m².
     - ``glottal_flow_m3_s``: glottal flow rate Q_g(t), m³/s.
-    - ``lip_pressure_pa``: radiated pressure at the lips, Pa.
+    - ``lip_pressure_pa``: radiated pressure at the lips, Pa; None where the sound is worked out on demand, likewise:
     - ``far_pressure_pa``: free-field pressure at ``far_distance_m`` from the mouth, taken as a simple source, Pa.
     - ``contact_pressure_max_pa``: largest contact pressure over the medial surface at each time, Pa; 0 without contact.
     - ``contact_location``: x/L of that largest pressure, 0 anterior, 1 posterior; NaN without contact.
@@ -44,8 +52,8 @@ class Signals:
     time_s: np.ndarray
     glottal_area_m2: np.ndarray
     glottal_flow_m3_s: np.ndarray
-    lip_pressure_pa: np.ndarray
-    far_pressure_pa: np.ndarray
+    lip_pressure_pa: np.ndarray | None
+    far_pressure_pa: np.ndarray | None
     contact_pressure_max_pa: np.ndarray
     contact_location: np.ndarray
     contact_area_m2: np.ndarray
@@ -64,7 +72,10 @@ class Signals:
         if n < MIN_SAMPLES:
             raise ParameterError("signals.time_s", f"{n} samples are too few to measure", f"at least {MIN_SAMPLES}")
         for field in fields(self):
-            value = np.asarray(getattr(self, field.name))
+            value = getattr(self, field.name)
+            if value is None and field.name in Sound._fields:
+                continue
+            value = np.asarray(value)
             path = f"signals.{field.name}"
             if field.name in WAVES and value.shape != (n,):
                 raise ParameterError(path, f"has shape {value.shape}", f"({n},), that of time_s")
@@ -76,4 +87,9 @@ class Signals:
     @property
     def window_start(self) -> int:
         """First sample of the last half of the run, the part that is measured."""
-        return len(self.time_s) // 2
+        return window_start(len(self.time_s))
+
+
+def window_start(samples: int) -> int:
+    """First sample of the last half of a run."""
+    return samples // 2

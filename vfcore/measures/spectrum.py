@@ -7,7 +7,7 @@ cepstrum from 1 ms to the end, averaged over frames.
 """
 
 from functools import lru_cache
-from math import hypot, log10
+from math import isqrt, log10
 
 import numpy as np
 from scipy import fft
@@ -29,14 +29,9 @@ def h1_h2_db(wave: np.ndarray, fo_hz: float, sample_rate_hz: float) -> float | M
 
     Hann window; each harmonic is read at its exact frequency.
     """
-    angle = (2.0 * np.pi * fo_hz / sample_rate_hz) * np.arange(len(wave))
     weighted = (wave - wave.mean()) * _hann(len(wave))
-    cosine, sine = np.cos(angle), np.sin(angle)
-    # Double angle: cos 2x = 2 cos² x − 1, sin 2x = 2 sin x cos x. Plain sums, because a threaded dot product waits for
-    # a second core that other runs may be using.
-    turned = weighted * cosine
-    h1 = hypot(turned.sum(), (weighted * sine).sum())
-    h2 = hypot(2.0 * (turned * cosine).sum() - weighted.sum(), 2.0 * (turned * sine).sum())
+    turn = 2.0 * np.pi * fo_hz / sample_rate_hz
+    h1, h2 = _line(weighted, turn), _line(weighted, 2.0 * turn)
     if h1 == 0.0 or h2 == 0.0:
         return Missing("One of the first two harmonics is absent.")
     return 20.0 * log10(h1 / h2)
@@ -58,6 +53,20 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     cepstrum = 20.0 * np.log10(np.abs(fft.irfft(level, 2 * (lines - 1), axis=1)[:, :lines]) + np.finfo(float).tiny)
     quefrency = np.arange(lines) * (length / sample_rate_hz) / (2 * (lines - 1))
     return float(_above_line(cepstrum, quefrency).mean())
+
+
+def _line(wave: np.ndarray, turn: float) -> float:
+    """|Σ x_k e^{i k·turn}|: k = a B + b, so that 2√n instead of n sines are needed.
+
+    Plain sums, because a threaded dot product waits for a second core that other runs may be using.
+    """
+    across = isqrt(len(wave)) + 1
+    grid = np.zeros((across, across))
+    grid.ravel()[: len(wave)] = wave
+    fine = turn * np.arange(across)
+    coarse = np.exp(1j * across * fine)
+    rows = (grid * np.cos(fine)).sum(axis=1) + 1j * (grid * np.sin(fine)).sum(axis=1)
+    return abs((rows * coarse).sum())
 
 
 @lru_cache(maxsize=4)

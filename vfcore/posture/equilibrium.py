@@ -6,6 +6,7 @@ The answer depends on activation and constants alone: every solve starts from th
 """
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -56,19 +57,37 @@ def solve_posture(
 
     Raises PostureError where no root is connected to rest, ParameterError for a fold length out of range.
     """
+    (found,) = solve_each_posture([activation], constants, fold_length_m)
+    if isinstance(found, PostureError):
+        raise found
+    return found
+
+
+def solve_each_posture(
+    activations: Sequence[Activation], constants: PosturingConstants, fold_length_m: float = 0.015
+) -> list[PostureSolution | PostureError]:
+    """``solve_posture`` of many at once: for each its posture, or the error that says why there is none."""
     check_number("fold_length_m", fold_length_m, 1e-3, 0.1, "m")
-    batch = solve_posture_batch([[getattr(activation, key) for key in MUSCLE_ORDER]], constants)
-    if not batch.converged[0]:
-        raise PostureError(_no_posture(activation, constants, batch.reached[0]))
-    strain, angle, raw, half_gap = (float(column[0]) for column in batch[:4])
+    rows = [[getattr(activation, key) for key in MUSCLE_ORDER] for activation in activations]
+    batch = solve_posture_batch(rows, constants)
+    return [
+        _solution(batch, row, fold_length_m)
+        if batch.converged[row]
+        else PostureError(_no_posture(activation, constants, batch.reached[row]))
+        for row, activation in enumerate(activations)
+    ]
+
+
+def _solution(batch: PostureBatch, row: int, fold_length_m: float) -> PostureSolution:
+    strain, angle, raw, half_gap = (float(column[row]) for column in batch[:4])
     return PostureSolution(
         strain,
         angle,
         raw,
         fold_length_m * (1 + strain),
         half_gap,
-        *batch.unknowns[0].tolist(),
-        residual=float(batch.residual[0]),
+        *batch.unknowns[row].tolist(),
+        residual=float(batch.residual[row]),
         converged=True,
     )
 

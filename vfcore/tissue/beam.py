@@ -34,14 +34,21 @@ def beam_operator(
     gain_L = -(bend - posterior) / (bend + posterior)
     offset_L = -c.prestress_moment_n_m / (bend + posterior)
 
-    def banded(stencil):
-        return sum(value * np.eye(n, k=k) for k, value in stencil.items())
-
-    fourth = banded({-2: 1.0, -1: -4.0, 0: 6.0, 1: -4.0, 2: 1.0})
+    fourth = _banded(n, 6.0, -4.0, 1.0)
     fourth[0, 0] += gain_0
     fourth[-1, -1] += gain_L
-    matrix = c.beam_tension_n / dx**2 * banded({-1: 1.0, 0: -2.0, 1: 1.0}) - mu / dx**4 * fourth
+    matrix = c.beam_tension_n / dx**2 * _banded(n, -2.0, 1.0, 0.0) - mu / dx**4 * fourth
     load = np.zeros(n)
     load[0] = -mu / dx**4 * offset_0
     load[-1] += -mu / dx**4 * offset_L
     return matrix, load
+
+
+def _banded(n: int, centre: float, first: float, second: float) -> np.ndarray:
+    """Symmetric (n, n) with constant diagonals."""
+    matrix = np.zeros((n, n))
+    flat = matrix.ravel()
+    for shift, value in enumerate((centre, first, second)):
+        flat[shift : (n - shift) * n : n + 1] = value  # above the diagonal
+        flat[shift * n :: n + 1] = value  # below
+    return matrix

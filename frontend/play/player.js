@@ -1,0 +1,119 @@
+/**
+ * Plays the larynx: keeps a connection to the server's voice and an audio worklet together while the hand moves.
+ * Sound starts only inside a gesture of the user.
+ */
+import { effect, untracked } from "../ui.js";
+import { gainOf } from "../audio/sound.js";
+import { changedValues, nest } from "../params.js";
+import { schema, values } from "../state/request.js";
+import { setStatus, status, takeBuffer, takeGesture, takePlayProblem, takeState } from "../state/play.js";
+import { setPlaying, volume } from "../state/sound.js";
+import { PLAY } from "../texts.js";
+import { Connection } from "./connection.js";
+
+const RATE = 48000; // the context resamples to whatever the device has
+const FADE_IN_S = 0.15;
+const FADE_OUT_S = 0.06;
+const LOUDEST = 4; // the server's full scale leaves room for 170 dB; modal voice peaks at a tenth of it
+const NOT_LIVE = /^(run\.|model\.)/;
+
+let session = null;
+
+export const canPlay = () => typeof AudioWorkletNode !== "undefined" && window.isSecureContext;
+
+/** To be called inside a gesture. */
+export async function startPlaying() {
+  if (session) return;
+  setPlaying(false); // the looped voice and the live one are one voice
+  setStatus("starting");
+  const mine = (session = new Session());
+  try {
+    await mine.start();
+  } catch (error) {
+    if (session === mine) stopPlaying(PLAY.failed(error.message));
+  }
+}
+
+export function stopPlaying(why = "") {
+  session?.stop();
+  session = null;
+  setStatus("off");
+  takePlayProblem(why);
+}
+
+export function setRecording(on) {
+  session?.send({ record: on });
+}
+
+/** The graph of the sounding voice, for the spectrum and for tests; null when none sounds. */
+export const soundGraph = () => session?.graph ?? null;
+
+class Session {
+  #ends = [];
+  #sent = null;
+  #connection = null;
+
+  async start() {
+    const context = new AudioContext({ sampleRate: RATE, latencyHint: "interactive" });
+    this.#ends.push(() => context.close());
+    await context.audioWorklet.addModule(new URL("../audio/stream-worklet.js", import.meta.url));
+    const node = new AudioWorkletNode(context, "vocalis-stream", { numberOfInputs: 0, outputChannelCount: [1] });
+    const gain = new GainNode(context, { gain: 0 });
+    const limiter = new DynamicsCompressorNode(context, { threshold: -6, knee: 3, ratio: 20, attack: 0.001, release: 0.08 });
+    const analyser = new AnalyserNode(context, { fftSize: 4096, smoothingTimeConstant: 0.5 });
+    node.connect(gain).connect(limiter).connect(analyser).connect(context.destination);
+    this.graph = { context, node, gain, analyser };
+    await context.resume();
+    this.#connection = new Connection(bodyOf(schema.peek(), values.peek()), {
+      sound: (samples) => node.port.postMessage(samples),
+      said: (document) => this.#hear(document),
+      ended: (reason) => session === this && stopPlaying(reason ? PLAY.ended(reason) : PLAY.gone),
+    });
+    this.#ends.push(() => this.#connection.close());
+    this.#sent = values.peek();
+    node.port.onmessage = ({ data }) => {
+      takeBuffer(data);
+      this.send({ buffer_ms: data.bufferMs, wanted_buffer_ms: data.wantedMs });
+    };
+    this.#ends.push(effect(() => gain.gain.setTargetAtTime(LOUDEST * gainOf(volume.value), context.currentTime, FADE_IN_S / 3)));
+    this.#ends.push(effect(() => this.#follow(values.value)));
+  }
+
+  send(message) {
+    this.#connection?.send(message);
+  }
+
+  stop() {
+    const { context, gain } = this.graph ?? {};
+    if (gain) gain.gain.setTargetAtTime(0, context.currentTime, FADE_OUT_S / 3);
+    const ends = this.#ends.splice(0).reverse();
+    setTimeout(() => ends.forEach((end) => end()), gain ? FADE_OUT_S * 1000 : 0);
+  }
+
+  /** Only what moved goes over the wire. */
+  #follow(next) {
+    if (next === this.#sent) return;
+    const changed = Object.entries(next).filter(([path, value]) => value !== this.#sent[path] && !NOT_LIVE.test(path));
+    this.#sent = next;
+    if (changed.length) this.send(nest(Object.fromEntries(changed)));
+  }
+
+  #hear(document) {
+    untracked(() => {
+      if (document.type === "state") takeState(document);
+      else if (document.type === "gesture") takeGesture(document.gesture);
+      else if (document.type === "problem") {
+        if (document.over) stopPlaying(document.problem.detail);
+        else takePlayProblem(document.problem.detail);
+      }
+    });
+  }
+}
+
+function bodyOf(schemaNow, valuesNow) {
+  const { kind, ...body } = nest(changedValues(schemaNow, valuesNow));
+  return body;
+}
+
+/** Whether the voice sounds or is about to. */
+export const isOn = () => status.value !== "off";

@@ -1,0 +1,62 @@
+/** Static shapes: four series, every level in its colour. */
+import { html } from "../ui.js";
+import { niceCeil } from "../plots/axis.js";
+import { staticEdges } from "../plots/glottis.js";
+import { rampColour } from "../plots/ramp.js";
+import { drawShapes } from "../plots/shapes-draw.js";
+import { palette, rootPx, smallFont } from "../plots/theme.js";
+import { theme } from "../state/look.js";
+import { figures } from "../state/paper.js";
+import { SHAPES } from "../texts.js";
+import { PAPER } from "../texts-paper.js";
+import { Claims } from "./Claims.js";
+import { FigureTools, openCase } from "./FigureTools.js";
+import { Picture } from "./Picture.js";
+
+/** One scale for all four, so that they compare. */
+function commonLimits(all) {
+  const edges = all.flatMap(({ shapes }) => shapes.filter((s) => s.x_m)).map(staticEdges);
+  const r = edges.flatMap(({ superior, inferior }) => [...superior, ...inferior]);
+  const low = Math.min(...r, 0);
+  return { x: [0, 5 * Math.ceil(Math.max(...edges.map((e) => e.lengthMm)) / 5)], r: [low < 0 ? -niceCeil(-low) : 0, niceCeil(Math.max(...r))] };
+}
+
+const share = (figure, k) => k / Math.max(1, figure.axes[0].values.length - 1);
+
+export function PaperStatic() {
+  return html`
+    <p class="paper-row unit">${PAPER.hint} ${PAPER.edges}</p>
+    ${Object.keys(PAPER.series).map((key) => html`<${Series} key=${key} name=${key} />`)}
+  `;
+}
+
+function Series({ name }) {
+  const figure = figures.value[name];
+  const words = PAPER.series[name];
+  const model = () => {
+    const shown = figures.value[name];
+    const colours = palette.value;
+    const shapes = shown.shapes.map((shape, k) => shape.x_m && { edges: staticEdges(shape), colour: rampColour(share(shown, k), colours.theme) });
+    return { shapes: shapes.filter(Boolean), colours, limits: commonLimits(Object.keys(PAPER.series).map((key) => figures.value[key])) };
+  };
+  return html`
+    <figure class="paper-figure" aria-labelledby=${`title-${name}`}>
+      <figcaption><h3 id=${`title-${name}`}>${words.name} 0 to 1</h3><span class="unit">${words.fixed}</span><${FigureTools} figure=${figure} /></figcaption>
+      <div class="paper-picture"><${Picture} name=${`paper-${name}`} model=${model} paint=${paint} label=${PAPER.seriesPicture(words.name)} /></div>
+      <div class="levels" role="group" aria-label=${PAPER.hint}>
+        ${figure.axes[0].values.map((level, k) => html`
+          <button type="button" key=${level} aria-label=${PAPER.opensLevel(words.name, level)} title=${PAPER.opensLevel(words.name, level)} onClick=${() => openCase(figure, [level])}>
+            <i style=${{ background: rampColour(share(figure, k), theme.value) }}></i>${level}
+          </button>
+        `)}
+      </div>
+      <${Claims} keys=${figure.claims} />
+    </figure>
+  `;
+}
+
+function paint(context, size, { shapes, colours, limits }) {
+  const unit = rootPx();
+  const box = { left: 2.6 * unit, right: size.width - 0.6 * unit, top: 0.5 * unit, bottom: size.height - 1.4 * unit };
+  drawShapes(context, box, shapes, limits, colours, smallFont(), SHAPES);
+}

@@ -1,0 +1,181 @@
+"""One played voice, in the process of the voices: words of the hand go in, a block of sound every 10 ms comes out."""
+
+import json
+import math
+import time
+from dataclasses import replace
+from multiprocessing.connection import Connection
+from typing import Any
+
+import numpy as np
+
+from vfcore.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
+from vfcore.document import json_text
+from vfcore.errors import ParameterError, VocalisError
+from vfcore.gesture.approach import approach, differences
+from vfcore.gesture.contours import level_db
+from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Block, Voice
+from vfcore.params import Simulation
+from vfcore.request import simulation_from_dict, simulation_to_dict
+from vfcore.version import MODEL_VERSION
+from vocalis_server.live.protocol import CONTROLS, HANG_UP, SOUND, TEXT, audio_frame, merged
+from vocalis_server.live.recording import Recording
+from vocalis_server.live.strobe import Strobe
+from vocalis_server.problems import problem_of
+
+FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
+LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
+STATE_EVERY = 3  # blocks
+WAVE_EVERY = 10  # samples: 3.5 kHz is enough for a line on a screen
+PACE_GAIN = 0.05  # share of the buffer's error that a block makes good
+LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin again from now
+
+
+class Player:
+    """Runs until the other end of ``link`` hangs up."""
+
+    def __init__(self, link: Connection):
+        self._link = link
+        self._wanted: Simulation = Simulation()
+        self._document: dict[str, Any] = simulation_to_dict(self._wanted)
+        self._paths: tuple[str, ...] = ()
+        self._voice: Voice | None = None
+        self._strobe = Strobe()
+        self._recording: Recording | None = None
+        self._first_recorded = 0
+        self._lead_error_s = 0.0
+        self._sequence = 0
+        self._levels: list[np.ndarray] = []
+        self._waves: list[np.ndarray] = []
+
+    def run(self) -> None:
+        """Play; a voice that breaks down says why and stops."""
+        try:
+            if self._link.poll(FIRST_WORD_S):
+                self._listen()
+            self._begin()
+            self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": AUDIO_RATE_HZ // 100,
+                       "full_scale_pa": FULL_SCALE_PA, "model_version": MODEL_VERSION})  # fmt: skip
+            self._play()
+        except (EOFError, OSError):  # the client has left
+            return
+        except VocalisError as error:
+            self._say({"type": "problem", "problem": problem_of(error), "over": True})
+
+    def _begin(self) -> None:
+        self._voice = Voice(self._wanted)
+        self._paths = ()
+        self._strobe = Strobe()
+
+    def _play(self) -> None:
+        due = time.monotonic() - LEAD_BLOCKS * BLOCK_S
+        while True:
+            self._listen()
+            self._block()
+            due += BLOCK_S - PACE_GAIN * self._lead_error_s
+            self._lead_error_s *= 1.0 - PACE_GAIN
+            now = time.monotonic()
+            if due < now - LARGEST_LAG_S:
+                due = now
+            time.sleep(max(0.0, due - now))
+
+    def _block(self) -> None:
+        voice = self._voice
+        now = voice.request
+        target = approach(now, self._wanted, self._paths) if self._paths else now
+        if target.vowel != self._wanted.vowel:
+            target = replace(target, vowel=self._wanted.vowel)
+        if self._paths and not differences(target, self._wanted):
+            self._paths = ()
+        block = voice.advance(target, self._strobe.moment())
+        if self._recording is not None:
+            self._recording.take(voice.blocks, target)
+        self._link.send_bytes(SOUND + audio_frame(self._sequence, block.audio_pa))
+        self._sequence += 1
+        self._follow(block)
+
+    def _follow(self, block: Block) -> None:
+        show = self._sequence % STATE_EVERY == 0
+        self._strobe.follow(block.record[:, 0], measure=show)
+        self._levels = [*self._levels[-5:], block.lip_pressure_pa]
+        self._waves.append(block.record[::WAVE_EVERY, :2])
+        if not show:
+            return
+        waves, self._waves = np.concatenate(self._waves), []
+        voice, fold = self._voice, self._voice.fold
+        w, _ = voice.seen
+        self._say(
+            {
+                "type": "state",
+                "sequence": self._sequence,
+                "time_s": round(voice.blocks * BLOCK_S, 3),
+                "fo_hz": _number(self._strobe.fo_hz, 2),
+                "spl_lips_db": _number(level_db(np.concatenate(self._levels)), 2),
+                "strain": voice.posture.strain,
+                "glottal_half_angle_rad": voice.posture.glottal_half_angle_rad,
+                "length_m": fold.coefficients.length_m,
+                "x_m": _list(fold.x_m, 6),
+                "superior_m": _list(w[0], 6),
+                "inferior_m": _list(w[-1], 6),
+                "medial_superior_m": _list(fold.medial_plane_m[0], 6),
+                "medial_inferior_m": _list(fold.medial_plane_m[-1], 6),
+                "area_mm2": _list(waves[:, 0] * 1e6, 2),
+                "flow_ml_s": _list(waves[:, 1] * 1e6, 1),
+                "wave_rate_hz": BLOCK_STEPS / WAVE_EVERY / BLOCK_S,
+                "recording_s": None if self._recording is None else round(self._recording.blocks * BLOCK_S, 2),
+            }
+        )
+
+    def _listen(self) -> None:
+        """Everything the client has said since the last block; the newest of each number wins."""
+        change: dict[str, Any] = {}
+        record: bool | None = None
+        while self._link.poll():
+            said = self._link.recv_bytes()
+            if said == HANG_UP:
+                raise EOFError
+            message = json.loads(said)
+            if "buffer_ms" in message and "wanted_buffer_ms" in message:
+                self._lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
+            record = message.get("record", record)
+            change = merged(change, {key: value for key, value in message.items() if key not in CONTROLS})
+        if change:
+            self._want(merged(self._document, change))
+        if record is not None:
+            self._record(record)
+
+    def _want(self, document: dict[str, Any]) -> None:
+        try:
+            wanted = simulation_from_dict(document)
+            if self._voice is not None and (wanted.run, wanted.model) != (self._voice.request.run,
+                                                                          self._voice.request.model):  # fmt: skip
+                raise ParameterError("model", "cannot change while the voice goes on", "a new connection")
+            if self._voice is not None and (wanted.posture is None) != (self._wanted.posture is None):
+                raise ParameterError("posture", "cannot come or go while the voice goes on", "a new connection")
+        except ParameterError as error:
+            self._say({"type": "problem", "problem": problem_of(error), "over": False})
+            return
+        self._document, self._wanted = document, wanted
+        if self._voice is not None:
+            self._paths = differences(self._voice.request, wanted)
+
+    def _record(self, on: bool) -> None:
+        if on:
+            self._begin()
+            self._recording = Recording(self._wanted)
+            self._first_recorded = self._sequence
+        elif self._recording is not None:
+            document = self._recording.document()
+            self._say({"type": "gesture", "first_sequence": self._first_recorded, "gesture": document})
+            self._recording = None
+
+    def _say(self, document: dict[str, Any]) -> None:
+        self._link.send_bytes(TEXT + json_text(document).encode())
+
+
+def _number(value: float, digits: int) -> float | None:
+    return round(value, digits) if math.isfinite(value) else None
+
+
+def _list(values: np.ndarray, digits: int) -> list[float]:
+    return np.round(values, digits).tolist()

@@ -1,0 +1,60 @@
+"""What is said over the web socket.
+
+Client → server, JSON text: a partial simulation request (``{"activation": {"ct": 0.4}}``), merged into what stands;
+beside its fields ``"buffer_ms"`` (sound the client still has) with ``"wanted_buffer_ms"``, and ``"record"``
+true (begin again from rest and keep the gesture) or false (send it).
+
+Server → client, binary: uint32 little-endian sequence number, then 480 float32 samples at 48 kHz, in units of
+``full_scale_pa``. Text: ``{"type": "ready" | "state" | "gesture" | "problem", …}``.
+"""
+
+import json
+import struct
+from typing import Any
+
+import numpy as np
+
+from vfcore.audio import FULL_SCALE_PA
+from vfcore.errors import ParameterError
+
+LONGEST_MESSAGE = 16_384
+#: First byte of a frame between the processes: what follows is text, or sound.
+TEXT, SOUND = b"T", b"S"
+#: Instead of a message: the client has left.
+HANG_UP = b""
+CONTROLS = ("buffer_ms", "wanted_buffer_ms", "record")
+
+
+def read_message(text: str) -> dict[str, Any]:
+    """One message of a client; ParameterError when it is not an object or too long."""
+    if len(text) > LONGEST_MESSAGE:
+        raise ParameterError("message", f"{len(text)} characters are too many", f"up to {LONGEST_MESSAGE}")
+    try:
+        message = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise ParameterError("message", "is not JSON", "an object in JSON") from error
+    if not isinstance(message, dict):
+        raise ParameterError("message", f"{type(message).__name__} is not an object", "an object in JSON")
+    for name, low, high in (("buffer_ms", 0, 60_000), ("wanted_buffer_ms", 0, 2_000)):
+        value = message.get(name, 0)
+        if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
+            raise ParameterError(name, f"{value!r} is not a time", f"{low} to {high} ms")
+    if not isinstance(message.get("record", False), bool):
+        raise ParameterError("record", f"{message['record']!r} is neither on nor off", "true or false")
+    return message
+
+
+def merged(document: dict[str, Any], change: dict[str, Any]) -> dict[str, Any]:
+    """A request document with a partial one laid over it; neither is touched."""
+    result = dict(document)
+    for key, value in change.items():
+        if isinstance(value, dict) and isinstance(result.get(key), dict):
+            result[key] = merged(result[key], value)
+        else:
+            result[key] = value
+    return result
+
+
+def audio_frame(sequence: int, audio_pa: np.ndarray) -> bytes:
+    """A binary frame: number and samples."""
+    return struct.pack("<I", sequence & 0xFFFFFFFF) + (audio_pa / FULL_SCALE_PA).astype("<f4").tobytes()

@@ -1,0 +1,46 @@
+"""A played gesture as data: what each block was asked to reach, as breakpoints a gesture can be rendered from."""
+
+from dataclasses import replace
+from typing import Any
+
+from vfcore.gesture.approach import differences, number_at
+from vfcore.gesture.gesture import Gesture, gesture_to_dict
+from vfcore.gesture.track import Track
+from vfcore.gesture.voice import BLOCK_S
+from vfcore.params import Simulation
+
+LONGEST_BLOCKS = 60_000  # 10 minutes
+
+
+class Recording:
+    """From the first block of a voice on. Rendering its document gives the same samples."""
+
+    def __init__(self, start: Simulation):
+        self._start = self._last = start
+        self._numbers: dict[str, list[tuple[int, float]]] = {}
+        self._vowels: list[tuple[int, str]] = [(0, start.vowel)]
+        self.blocks = 0
+
+    def take(self, block: int, target: Simulation) -> None:
+        """Block number ``block`` (from 1) has reached ``target``."""
+        if block > LONGEST_BLOCKS:
+            return
+        self.blocks = block
+        for path in differences(self._last, target):
+            points = self._numbers.setdefault(path, [(0, number_at(self._start, path))])
+            if points[-1][0] < block - 1:  # it stood still until the block before
+                points.append((block - 1, points[-1][1]))
+            points.append((block, number_at(target, path)))
+        if target.vowel != self._last.vowel:
+            self._vowels.append((block, target.vowel))
+        self._last = target
+
+    def document(self) -> dict[str, Any]:
+        """The gesture as a request document."""
+        run = replace(self._start.run, duration_s=max(self.blocks * BLOCK_S, 0.02))
+        tracks = tuple(
+            Track(path, tuple(k * BLOCK_S for k, _ in points), tuple(value for _, value in points))
+            for path, points in self._numbers.items()
+        )
+        vowels = tuple((k * BLOCK_S, vowel) for k, vowel in self._vowels) if len(self._vowels) > 1 else ()
+        return gesture_to_dict(Gesture(replace(self._start, run=run), tracks, vowels))

@@ -1,0 +1,88 @@
+"""Voices whose numbers move, rendered in one go: contours, measures per stretch, sound."""
+
+from fastapi import APIRouter, Request, Response
+from fastapi.responses import JSONResponse
+
+from vfcore.audio import to_wav_bytes
+from vfcore.content import content_hash
+from vfcore.errors import ParameterError
+from vfcore.gesture.document import contour_csv, gesture_document, gesture_netcdf_bytes
+from vfcore.gesture.gesture import gesture_to_dict
+from vfcore.gesture.render import RenderedGesture, render
+from vocalis_server import schemas
+from vocalis_server.jobs.document import API
+from vocalis_server.jobs.model import ResultGone
+from vocalis_server.openapi import octets, problems
+from vocalis_server.request_schema import GestureBody, gesture_of
+from vocalis_server.services import Services, Shared
+
+router = APIRouter(prefix="/gestures", tags=["gestures"])
+WAV, NETCDF, CSV = "audio/wav", "application/x-netcdf", "text/csv"
+_PROBLEMS = problems(410, 422)
+
+
+@router.post("", responses={200: {"model": schemas.GestureAnswer}} | problems(415, 422, 503))
+async def gesture(body: GestureBody, request: Request, shared: Shared) -> Response:
+    """Render a gesture; its sound and tables can then be had under ``links``."""
+    wanted = gesture_of(body)
+    limit = shared.settings.gesture_duration_s
+    if wanted.start.run.duration_s > limit:
+        raise ParameterError("run.duration_s", f"{wanted.start.run.duration_s:g} s is too long", f"up to {limit:g} s")
+    content = content_hash(gesture_to_dict(wanted))
+
+    def work() -> Response:
+        rendered = shared.gestures.get(content) or render(wanted, stop=lambda: shared.events.closed)
+        shared.gestures.put(content, rendered)
+        return JSONResponse({"id": content} | gesture_document(rendered) | {"links": _links(content)})
+
+    await shared.kernels.for_runs()
+    return await shared.runs.run(work, request.is_disconnected)
+
+
+@router.get(
+    "/{gesture_id}/audio.wav",
+    response_class=Response,
+    responses={200: octets("48 kHz, 16 bit, mono.", WAV)} | _PROBLEMS,
+)
+def audio(gesture_id: str, shared: Shared) -> Response:
+    """The radiated pressure as sound, peaking at −3 dBFS."""
+    return Response(
+        to_wav_bytes(_kept(shared, gesture_id).audio_pa)[0], headers=_named(gesture_id, "wav"), media_type=WAV
+    )
+
+
+@router.get(
+    "/{gesture_id}/contours.csv",
+    response_class=Response,
+    responses={200: octets("One row per 10 ms.", CSV)} | _PROBLEMS,
+)
+def contours(gesture_id: str, shared: Shared) -> Response:
+    """f_o, level, posture and what moved, every 10 ms."""
+    return Response(contour_csv(_kept(shared, gesture_id)), headers=_named(gesture_id, "csv"), media_type=CSV)
+
+
+@router.get(
+    "/{gesture_id}/result.nc",
+    response_class=Response,
+    responses={200: octets("netCDF-4 with units.", NETCDF)} | _PROBLEMS,
+)
+def netcdf(gesture_id: str, shared: Shared) -> Response:
+    """Waveforms and contours in one netCDF-4 file."""
+    return Response(
+        gesture_netcdf_bytes(_kept(shared, gesture_id)), headers=_named(gesture_id, "nc"), media_type=NETCDF
+    )
+
+
+def _kept(shared: Services, gesture_id: str) -> RenderedGesture:
+    if (found := shared.gestures.get(gesture_id)) is None:
+        raise ResultGone("This gesture is not kept here; POST /gestures makes it again.")
+    return found
+
+
+def _links(content: str) -> dict[str, str]:
+    here = f"{API}/gestures/{content}"
+    return {"audio": f"{here}/audio.wav", "contours": f"{here}/contours.csv", "netcdf": f"{here}/result.nc"}
+
+
+def _named(gesture_id: str, ending: str) -> dict[str, str]:
+    return {"Content-Disposition": f'attachment; filename="vocalis-gesture-{gesture_id[:8]}.{ending}"'}

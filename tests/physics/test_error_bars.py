@@ -1,0 +1,30 @@
+"""Error bars against a run on a grid four times as fine as the one they belong to."""
+
+from dataclasses import replace
+
+import pytest
+
+from vfcore.params import Activation, Run, Simulation
+from vfcore.simulate import simulate
+
+VOICES = {
+    "modal": Activation(),
+    "posterior gap": Activation(pca=0.5),
+    "high pitch": Activation(ct=1.0, ta=0.1),
+}
+
+
+@pytest.mark.parametrize("voice", ["modal", *(pytest.param(v, marks=pytest.mark.slow) for v in list(VOICES)[1:])])
+def test_the_bars_cover_what_a_much_finer_grid_gives(voice):
+    request = Simulation(activation=VOICES[voice], run=Run(error_estimate=True))
+    result = simulate(request)
+    fine = simulate(replace(request, run=Run(nx=77, ny=37))).report
+    barred = {key: bar for key, bar in result.error_estimate.bars.items() if bar.half_width is not None}
+    moved = {key: bar for key, bar in barred.items() if bar.half_width > 0.0}
+    differences = {key: abs(fine.measures[key].value - result.report.measures[key].value) for key in barred}
+    covered = [key for key, bar in barred.items() if differences[key] <= bar.half_width + 1e-12]
+    assert len(moved) >= 12
+    assert len(covered) >= 0.9 * len(barred), sorted(set(barred) - set(covered))
+    # Wide bars cover anything: f_o to 1 %, the mean flow to 10 %.
+    assert moved["fo_hz"].half_width < 0.01 * fine.measures["fo_hz"].value
+    assert moved["mean_flow_ml_s"].half_width < 0.1 * fine.measures["mean_flow_ml_s"].value

@@ -1,0 +1,125 @@
+"""A voice whose muscles move: nothing changes when nothing moves, no seam when something does, the pitch follows."""
+
+import numpy as np
+import pytest
+
+import vfcore
+import vfcore.gesture.glide
+from vfcore.acoustics.impulse_response import radiate
+from vfcore.acoustics.tract import vowel_tract
+from vfcore.audio import AUDIO_RATE_HZ
+from vfcore.audio import render as resampled
+from vfcore.errors import Cancelled, DivergenceError, ParameterError
+from vfcore.gesture.gesture import gesture_from_dict
+from vfcore.gesture.render import RATE_HZ, render
+from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Voice
+
+
+def glide(seconds=1.2, **activation):
+    return render(gesture_from_dict({"activation": activation, "run": {"duration_s": seconds}}))
+
+
+@pytest.fixture(scope="module")
+def rising():
+    return glide(1.6, ct=[[0.3, 0.1], [1.3, 0.9]])
+
+
+def test_a_still_gesture_is_the_simulation():
+    still, plain = glide(0.3), vfcore.simulate(vfcore.Simulation(run=vfcore.Run(duration_s=0.3)))
+    for name in ("glottal_area_m2", "glottal_flow_m3_s", "contact_pressure_max_pa"):
+        assert np.array_equal(still.waves[name], plain.arrays[name]), name
+
+
+def test_the_tract_in_blocks_is_the_tract_at_once(rising):
+    whole = radiate(rising.waves["glottal_flow_m3_s"], 1 / RATE_HZ, vowel_tract("a"))
+    for name, expected in (
+        ("radiated_pressure_pa", whole.lip_pressure_pa),
+        ("far_pressure_pa", whole.far_pressure_pa),
+    ):
+        assert np.abs(rising.waves[name] - expected).max() < 3e-3 * np.abs(expected).max()
+
+
+def test_the_audio_in_blocks_is_the_audio_at_once(rising):
+    whole = resampled(rising.waves["radiated_pressure_pa"], RATE_HZ)
+    late = rising.audio_delay_s * AUDIO_RATE_HZ
+    at = np.arange(len(rising.audio_pa)) - late
+    inside = (at > 0) & (at < len(whole) - 1)
+    expected = np.interp(at, np.arange(len(whole)), whole)
+    assert np.abs(rising.audio_pa - expected)[inside].max() < 0.01 * np.abs(whole).max()
+
+
+def test_f_o_climbs_with_ct_and_ends_where_a_still_voice_stands(rising):
+    fo, times = rising.contours["fo_hz"], rising.contours["time_s"]
+    moving = (times > 0.35) & (times < 1.25)
+    assert np.isfinite(fo[moving]).all()
+    assert (np.diff(fo[moving]) > 0).mean() > 0.95
+    alone = vfcore.simulate(vfcore.Simulation(activation=vfcore.Activation(ct=0.9)))
+    assert fo[times > 1.45] == pytest.approx(alone.report.measures["fo_hz"].value, rel=2e-3)
+
+
+def test_each_stretch_between_breakpoints_is_measured(rising):
+    first, second, last = rising.segments
+    assert (first.end_s, second.end_s, last.end_s) == (0.3, 1.3, 1.6)
+    assert first.report.state == last.report.state == "periodic"
+    rise = last.report.measures["fo_hz"].value - first.report.measures["fo_hz"].value
+    assert rise == pytest.approx(52, abs=3)
+
+
+def test_shorter_stretches_change_nothing_to_be_heard(monkeypatch):
+    """Even in the fastest glide the geometry moves smoothly enough: −38 dB during it, −60 dB after it."""
+    ct = [[0.2, 0.1], [0.25, 0.9]]
+    sound = glide(0.4, ct=ct).waves["radiated_pressure_pa"]
+    monkeypatch.setattr(vfcore.gesture.glide, "STRETCH_STEPS", 2)
+    finer = glide(0.4, ct=ct).waves["radiated_pressure_pa"]
+    during, after = slice(round(0.2 * RATE_HZ), round(0.25 * RATE_HZ)), slice(round(0.27 * RATE_HZ), None)
+    for part, least in ((during, -38.0), (after, -60.0)):
+        assert 20 * np.log10(np.std((finer - sound)[part]) / np.std(sound[part])) < least
+
+
+def test_a_new_vowel_makes_no_click():
+    voice = Voice(vfcore.Simulation())
+    sound = [voice.advance(vfcore.Simulation(vowel="a" if k < 30 else "i")).lip_pressure_pa for k in range(60)]
+    sound = np.concatenate(sound)
+    at = 30 * BLOCK_STEPS
+    step = np.abs(np.diff(sound))
+    assert step[at - 10 : at + BLOCK_STEPS + 10].max() < 1.5 * max(step[at // 2 : at].max(), step[at * 3 // 2 :].max())
+
+
+def test_the_voice_stops_and_starts_as_the_pressure_does():
+    rendered = render(
+        gesture_from_dict(
+            {
+                "subglottal_pressure_pa": [[0.3, 1000.0], [0.35, 0.0], [0.7, 0.0], [0.75, 1000.0]],
+                "run": {"duration_s": 1.4},
+            }
+        )
+    )
+    fo, times = rendered.contours["fo_hz"], rendered.contours["time_s"]
+    assert np.isnan(fo[(times > 0.55) & (times < 0.7)]).all()
+    assert np.isfinite(fo[times > 1.1]).all()
+
+
+def test_what_cannot_move_is_refused():
+    voice = Voice(vfcore.Simulation())
+    with pytest.raises(ParameterError, match="cannot change while the voice goes on"):
+        voice.advance(vfcore.Simulation(model=vfcore.Model(variant="text_literal")))
+    with pytest.raises(ParameterError, match="need a shorter step"):
+        Voice(vfcore.Simulation(run=vfcore.Run(ny=40)))
+
+
+def test_a_divergence_says_when():
+    voice = Voice(vfcore.Simulation())
+    voice._gliding._buffer[:] *= np.nan
+    with pytest.raises(DivergenceError, match="t = 10.000 ms"):
+        voice.advance(vfcore.Simulation())
+
+
+def test_a_stop_ends_it():
+    with pytest.raises(Cancelled):
+        render(gesture_from_dict({}), stop=lambda: True)
+
+
+def test_blocks_are_ten_milliseconds():
+    block = Voice(vfcore.Simulation()).advance(vfcore.Simulation())
+    assert BLOCK_S == pytest.approx(0.010, rel=1e-12)
+    assert (len(block.record), len(block.lip_pressure_pa), len(block.audio_pa)) == (350, 350, 480)

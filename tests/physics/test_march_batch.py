@@ -1,0 +1,93 @@
+"""Many folds side by side: neighbours do not matter, single runs are the same motion, divergence stays in its lane."""
+
+import numpy as np
+import pytest
+
+from tests.support.fold_harness import MODAL, product_and_twin
+from vfcore.errors import Cancelled, DivergenceError
+from vfcore.kernels.layout import RECORD
+from vfcore.march import March
+from vfcore.march_batch import Motion, march_many
+from vfcore.params import DEFAULT_STEP_S
+from vfcore.statics import static_shape_of
+
+OPEN_BACK = {"strain": -0.004, "a_ta": 0.4, "theta_g": 0.192}
+LONG = {"strain": 0.23, "a_ta": 0.0, "theta_g": 0.018}
+SHAPES = (MODAL, OPEN_BACK, LONG, MODAL | {"shear": "rotation"}, MODAL | {"nx": 12, "ny": 6})
+CASES = [case | {"theta_conv": conv} for conv in (0.02, 0.05) for case in SHAPES]
+
+
+def motions(duration_s=0.02):
+    folds = [product_and_twin(**case)[0] for case in CASES]
+    return [
+        Motion(
+            fold,
+            DEFAULT_STEP_S,
+            800.0 + 50.0 * k,
+            duration_s,
+            0.005 * (k % 3),
+            static_shape_of(fold) if k % 2 else None,
+        )
+        for k, fold in enumerate(folds)
+    ]
+
+
+def alone(motion):
+    march = March(motion.fold, motion.time_step_s, motion.pressure_pa, motion.rise_s)
+    march.start_flat() if motion.start is None else march.start_static(motion.start)
+    return march.run(round(motion.duration_s / motion.sample_s))
+
+
+@pytest.mark.parametrize("single_precision", [False, True])
+def test_the_record_of_a_fold_does_not_depend_on_its_neighbours_or_its_place(single_precision):
+    some = motions()
+    together = dict(march_many(some, single_precision=single_precision))
+    assert sorted(together) == list(range(len(some)))
+    reverse = dict(march_many(some[::-1], single_precision=single_precision))
+    for k, motion in enumerate(some):
+        [(_, single)] = march_many([motion], single_precision=single_precision)
+        for other in (single, reverse[len(some) - 1 - k]):
+            assert np.array_equal(together[k].record, other.record, equal_nan=True)
+
+
+def test_each_fold_moves_as_it_does_alone():
+    some = motions()
+    for k, outcome in march_many(some):
+        expected = alone(some[k])
+        for column, name in enumerate(RECORD):
+            scale = np.nanmax(np.abs(expected[:, column]), initial=1e-30)
+            assert outcome.record[:, column] == pytest.approx(
+                expected[:, column], rel=1e-12, abs=1e-12 * scale, nan_ok=True
+            ), name
+
+
+def test_single_precision_is_the_same_voice_to_a_thousandth_through_onset():
+    [(_, outcome)] = march_many(motions()[:1], single_precision=True)
+    area = alone(motions()[0])[:, 0]
+    assert np.abs(outcome.record[:, 0] - area).max() < 1e-3 * area.max()
+
+
+def test_a_fold_that_diverges_is_reported_as_alone_and_disturbs_no_other():
+    fold, _ = product_and_twin(**MODAL)
+    calm = Motion(fold, DEFAULT_STEP_S, 1000.0, 0.03)
+    wild = Motion(fold, DEFAULT_STEP_S, 1e8, 0.03)
+    (_, first), (_, second), (_, third) = march_many([calm, wild, calm])
+    with pytest.raises(DivergenceError) as caught:
+        alone(wild)
+    assert second.record is None and str(second.problem) == str(caught.value)
+    [(_, undisturbed)] = march_many([calm])
+    for outcome in (first, third):
+        assert outcome.problem is undisturbed.problem is None
+        assert np.array_equal(outcome.record, undisturbed.record, equal_nan=True)
+
+
+def test_a_stop_bites_between_chunks():
+    asked = []
+
+    def stop():
+        asked.append(None)
+        return len(asked) > 2
+
+    with pytest.raises(Cancelled):
+        list(march_many(motions(0.1)[:2], stop=stop))
+    assert len(asked) == 3

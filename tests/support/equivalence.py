@@ -1,0 +1,100 @@
+"""The product at its own step against the plain loop at the paper's, over random postures: what a user would read off.
+
+``python -m tests.support.equivalence 300`` prints the report (a second or two a posture). The plain loop is
+``vocalis_bench.reference``, equal to the slow twin (tests/cli/test_bench.py): semi-implicit Euler, explicit beam,
+1.79 µs. Both waves then take the same measures.
+"""
+
+import sys
+from typing import NamedTuple
+from unittest import mock
+
+import numpy as np
+
+import vfcore
+from vfcore.errors import VocalisError
+from vfcore.march import March
+from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, Activation, Simulation
+from vocalis_bench.reference import plain_run
+
+#: Largest deviation allowed where both are periodic: (measure, bound, relative).
+BOUNDS = (
+    ("fo_hz", 2e-4, True),
+    ("closed_quotient", 3e-3, False),
+    ("contact_pressure_max_pa", 8e-3, True),
+    ("mean_flow_ml_s", 1.5e-3, True),
+)
+SAME_STATE = 0.98
+
+
+class PlainMarch(March):
+    """The plain loop at the paper's step, every sixteenth step recorded, in the place of the product's march."""
+
+    def run(self, samples, progress=None, stop=None):
+        every = round(DEFAULT_STEP_S / PAPER_STEP_S)
+        plain = plain_run(self.fold, self.pressure_pa, samples * every * PAPER_STEP_S, PAPER_STEP_S)[::every]
+        area, flow, largest = plain.T
+        return np.column_stack([area, flow, largest, np.full(samples, np.nan), np.zeros(samples)])
+
+    def cycle(self, first_sample, last_sample, phases):
+        return {}
+
+    oldest_sample = 0
+
+
+class Comparison(NamedTuple):
+    """Of one posture: both states, and the deviation of each measure of BOUNDS (NaN where either has none)."""
+
+    states: tuple[str, str]
+    deviations: tuple[float, ...]
+
+
+def random_request(rng) -> Simulation:
+    ta, ct, lca, ia = rng.random(4)
+    return Simulation(
+        activation=Activation(ta=ta, ct=ct, lca=lca, ia=ia, pca=0.0), subglottal_pressure_pa=rng.uniform(500.0, 2000.0)
+    )
+
+
+def compare(request: Simulation) -> Comparison:
+    fast = vfcore.simulate(request)
+    with mock.patch.object(sys.modules["vfcore.simulate"], "March", PlainMarch):
+        slow = vfcore.simulate(request)
+    deviations = []
+    for key, _, relative in BOUNDS:
+        a, b = (run.report.measures[key].value for run in (fast, slow))
+        missing = a is None or b is None
+        deviations.append(np.nan if missing else abs(a - b) / (abs(b) if relative and b else 1.0))
+    return Comparison((fast.report.state, slow.report.state), tuple(deviations))
+
+
+def survey(count: int, seed: int = 1) -> list[Comparison]:
+    """``count`` random postures at which the default step holds and the posture can be solved."""
+    rng, found = np.random.default_rng(seed), []
+    while len(found) < count:
+        request = random_request(rng)
+        try:
+            found.append(compare(request))
+        except VocalisError:
+            continue
+    return found
+
+
+def report(found: list[Comparison]) -> str:
+    same = [one for one in found if one.states[0] == one.states[1]]
+    periodic = np.array([one.deviations for one in same if one.states[0] == "periodic"]).reshape(-1, len(BOUNDS))
+    lines = [f"{len(found)} postures, same state in {len(same)}, periodic in both {len(periodic)}"]
+    lines += [" / ".join(one.states) for one in found if one not in same]
+    for k, (key, bound, _) in enumerate(BOUNDS):
+        values = periodic[:, k][np.isfinite(periodic[:, k])]
+        if values.size:
+            median, ninety, most = np.percentile(values, [50, 90, 100])
+            over = int((values > bound).sum())
+            lines.append(
+                f"{key:26s} median {median:.2e}  90 % {ninety:.2e}  max {most:.2e}  allowed {bound:.1e}  over it {over}"
+            )
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    print(report(survey(int(sys.argv[1]))))

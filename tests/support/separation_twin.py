@@ -1,0 +1,98 @@
+"""The two places where the air pressure ends between nodes, interpolated in the slow twin. A study, not the product.
+
+*Separation.* The product takes the first node, read from the inlet, whose gap has fallen to d_sep. ``InterpolatedTwin``
+puts y_sep on the segment between that node and the one before it, where the gap, taken as linear between them, equals
+d_sep. The viscous integral ends there, and of the attached node's pressure its outer half cell is loaded only as far.
+
+*Closure.* In a closed slice the product loads all nodes up to and including the first contact. ``ClosedTwin`` ends
+the load where the surfaces meet.
+"""
+
+import numpy as np
+
+from tests.support.fold_twin import Flow, FoldTwin
+from vfcore.measures.catalogue import MeasureReport, measure_all
+from vfcore.measures.signals import Signals
+from vfcore.params import Simulation
+from vfcore.simulate import prepare
+from vfcore.stability import time_step_s
+
+RUN_S = 0.6
+
+
+class ClosedTwin(FoldTwin):
+    """The slow twin with the lung pressure in a closed slice ending where the folds meet, not at the next node."""
+
+    def flow(self, w_m, P_s: float) -> Flow:
+        on_nodes = super().flow(w_m, P_s)
+        shut = np.flatnonzero((on_nodes.d_min == 0) & (on_nodes.j_sep < self.ny - 1))
+        if not shut.size:
+            return on_nodes
+        j, room = on_nodes.j_sep[shut], (self.medial - self.whole(w_m))[shut]
+        rows = np.arange(shut.size)
+        before, after = room[rows, j], room[rows, j + 1]  # ≤ 0 < after
+        pushed = after / (after - before)  # share of the segment under pressure
+        half, width = 0.5, self.row_width / self.dy
+        p_aero = on_nodes.p_aero.copy()
+        p_aero[shut, j] = P_s * np.maximum(pushed - half, 0.0) / width[j]
+        p_aero[shut, j + 1] = P_s * (width[j + 1] - half + np.minimum(pushed, half)) / width[j + 1]
+        return on_nodes._replace(p_aero=p_aero)
+
+
+class InterpolatedTwin(FoldTwin):
+    """The slow twin with an interpolated separation point."""
+
+    def flow(self, w_m, P_s: float) -> Flow:
+        on_nodes = super().flow(w_m, P_s)
+        gap, d_min = on_nodes.gap, on_nodes.d_min
+        free = np.flatnonzero((d_min > 0) & (on_nodes.j_sep < self.ny - 1))
+        if not free.size or P_s <= 0:
+            return on_nodes
+        c, g, j, rows = self.constants, gap[free], on_nodes.j_sep[free], np.arange(free.size)
+        d_sep = np.minimum(c.alpha_s * d_min[free], g.max(axis=1))
+        # Share of the segment from the separated node j up to y_sep.
+        s = (d_sep - g[rows, j]) / (g[rows, j + 1] - g[rows, j])
+        panels = (1 / g[:, :-1] ** 3 + 1 / g[:, 1:] ** 3) * self.dy / 2
+        to_inlet = np.zeros_like(g)
+        to_inlet[:, :-1] = panels[:, ::-1].cumsum(axis=1)[:, ::-1]
+        last = (1 / d_sep**3 + 1 / g[rows, j + 1] ** 3) * (1 - s) * self.dy / 2
+        A, B = c.rho_a_kg_m3 / (2 * d_sep**2), 12 * c.mu_a_pa_s * (to_inlet[rows, j + 1] + last)
+        q = 2 * P_s / (B + np.sqrt(B**2 + 4 * A * P_s))
+        attached = P_s - c.rho_a_kg_m3 / 2 * (q[:, None] / g) ** 2 - 12 * c.mu_a_pa_s * q[:, None] * to_inlet
+        p_aero, flow_per_width = on_nodes.p_aero.copy(), on_nodes.flow_per_width.copy()
+        p_aero[free] = np.where(np.arange(self.ny) > j[:, None], attached, 0.0)
+        half = self.dy / 2
+        lower = np.where(j + 1 < self.ny - 1, half * 2, half)  # width that node j + 1 stands for
+        p_aero[free, j + 1] *= (lower - s * half) / lower
+        flow_per_width[free] = q
+        along_x = np.full(self.nx, self.dx)
+        along_x[[0, -1]] /= 2
+        return on_nodes._replace(p_aero=p_aero, flow_per_width=flow_per_width, Q_g=along_x @ flow_per_width)
+
+
+class BothTwin(ClosedTwin, InterpolatedTwin):
+    """Both ends of the pressure interpolated."""
+
+
+TWINS = {"nodes": FoldTwin, "separation": InterpolatedTwin, "closure": ClosedTwin, "both": BothTwin}
+
+
+def measured_voice(request: Simulation, kind: type[FoldTwin]) -> MeasureReport:
+    """The measures of a twin's run of RUN_S from the flat start; those of sound are of no sound and mean nothing."""
+    ready = prepare(request)
+    posture, run = ready.posture, request.run
+    twin = kind(posture.strain, request.activation.ta, posture.glottal_half_angle_rad,
+                request.convergence_angle_rad, run.nx, run.ny)  # fmt: skip
+    step_s = time_step_s(run, ready.fold)
+    record = twin.run(twin.initial_state(), request.subglottal_pressure_pa, step_s, round(RUN_S / step_s))
+    still = np.zeros_like(record.t)
+    return measure_all(
+        Signals(
+            sample_rate_hz=1 / step_s, time_s=record.t, glottal_area_m2=record.A_g_min,
+            glottal_flow_m3_s=record.Q_g, lip_pressure_pa=still, far_pressure_pa=still,
+            contact_pressure_max_pa=np.maximum(record.p_col_max, 0.0), contact_location=still, contact_area_m2=still,
+            subglottal_pressure_pa=request.subglottal_pressure_pa, length_m=twin.k.L, strain=posture.strain,
+            glottal_half_angle_rad=posture.glottal_half_angle_rad, gap_m=2 * posture.half_gap_m,
+            medial_area_m2=twin.k.L * twin.k.b, air_density_kg_m3=1.14, sound_speed_m_s=350.0,
+        )
+    )  # fmt: skip

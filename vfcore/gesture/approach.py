@@ -1,0 +1,49 @@
+"""From where a voice is to where the hand wants it, no faster than muscles go.
+
+A hand on a slider jumps; a muscle does not. Within a block of 10 ms each number moves by at most BLOCK_SHARE of its
+range, so a jump over the whole range takes 50 ms, the twitch time of the fastest laryngeal muscles (LCA and TA reach
+their peak tension in about 20–50 ms; Titze 1994, Principles of Voice Production, table 1.2). A choice of this
+implementation for playing live; breakpoints of a gesture are followed as they stand.
+"""
+
+from vfcore.gesture.gesture import MOVABLE, with_number
+from vfcore.params import Simulation
+from vfcore.schema import parameter_schema
+
+BLOCK_SHARE = 0.2
+
+
+def _limits() -> dict[str, float]:
+    return {row["key"]: BLOCK_SHARE * (row["max"] - row["min"]) for row in parameter_schema() if row["key"] in MOVABLE}
+
+
+LARGEST_MOVE = _limits()
+
+
+def number_at(request: Simulation, path: str) -> float | None:
+    """The number at a dotted path of a request; None for a posture that is not given."""
+    group, _, name = path.rpartition(".")
+    if not group:
+        return getattr(request, name)
+    if group == "constants" and not hasattr(request.constants, name):
+        return request.posturing.value(name)
+    part = getattr(request, group)
+    return None if part is None else getattr(part, name)
+
+
+def differences(now: Simulation, wanted: Simulation) -> tuple[str, ...]:
+    """The numbers in which two requests differ."""
+    if now is wanted or now == wanted:
+        return ()
+    return tuple(path for path in MOVABLE if number_at(now, path) != number_at(wanted, path))
+
+
+def approach(now: Simulation, wanted: Simulation, paths: tuple[str, ...]) -> Simulation:
+    """The request one block later: every number of ``paths`` as near to ``wanted`` as a block allows."""
+    for path in paths:
+        value, goal = number_at(now, path), number_at(wanted, path)
+        largest = LARGEST_MOVE[path]
+        if value != goal:
+            step = max(-largest, min(largest, goal - value))
+            now = with_number(now, path, goal if abs(goal - value) <= largest else value + step)
+    return now

@@ -1,0 +1,109 @@
+"""A voice that goes on while its muscles move: posture, fold, tract and audio, one block of 10 ms at a time.
+
+The same engine serves live playing and gestures rendered offline, so the same targets give the same samples.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vfcore.acoustics.tract import vowel_tract
+from vfcore.assemble import Fold
+from vfcore.errors import ParameterError
+from vfcore.gesture.glide import GlidingFold
+from vfcore.gesture.lips import Lips
+from vfcore.gesture.resample import Resampler
+from vfcore.march import March
+from vfcore.params import DEFAULT_STEP_S, Simulation
+from vfcore.posture.solution import PostureSolution
+from vfcore.simulate import fold_of, posture_of, prepare
+from vfcore.stability import longest_stable_step_s
+
+BLOCK_STEPS = 350  # 10 ms at the default step: a whole number of audio samples (480)
+BLOCK_S = BLOCK_STEPS * DEFAULT_STEP_S
+
+
+class Block(NamedTuple):
+    """10 ms of voice: ``record`` (350, 5) of layout.RECORD; lip and 0.3 m pressure (350,), Pa; lip pressure at 48 kHz
+    (480,), Pa, late by ``Voice.audio_delay_s``."""
+
+    record: np.ndarray
+    lip_pressure_pa: np.ndarray
+    far_pressure_pa: np.ndarray
+    audio_pa: np.ndarray
+
+
+class Voice:
+    """One voice from its onset on. ``advance(target)`` moves to ``target`` within a block.
+
+    The grid, the shear form and the step are those of ``start``; targets that differ in them are refused. Raises
+    ParameterError, PostureError or DivergenceError.
+    """
+
+    def __init__(self, start: Simulation):
+        ready = prepare(start)
+        if start.run.time_step_s is not None:
+            raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
+        march = March(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa)
+        march.start_static(ready.static) if start.run.start == "static" else march.start_flat()
+        self.request, self.posture = start, ready.posture
+        self._check(ready.fold)
+        self._gliding = GlidingFold(march)
+        self._lips = Lips(self._tract(start), DEFAULT_STEP_S, BLOCK_STEPS)
+        self._resampler = Resampler(1.0 / DEFAULT_STEP_S, BLOCK_STEPS)
+        self.blocks = 0
+
+    @property
+    def audio_delay_s(self) -> float:
+        """How much later than the record the audio comes."""
+        return self._resampler.delay_s
+
+    @property
+    def fold(self) -> Fold:
+        return self._gliding.fold
+
+    @property
+    def seen(self) -> tuple[np.ndarray, np.ndarray]:
+        """Displacement of the membrane (ny, nx) and the beam (nx,) when last looked at, m."""
+        return self._gliding.seen
+
+    def advance(self, target: Simulation, look_at: int = 0) -> Block:
+        """The next block; the numbers of the request reach ``target`` at its end. ``look_at``: a step of the block."""
+        fold, posture = self._fold_of(target)
+        record = self._gliding.advance(fold, target.subglottal_pressure_pa, BLOCK_STEPS, look_at)
+        sound = self._lips.push(record[:, 1], self._tract(target))
+        audio = self._resampler.push(sound[0])
+        self.request, self.posture = target, posture
+        self.blocks += 1
+        return Block(record, sound[0], sound[1], audio)
+
+    def _fold_of(self, target: Simulation) -> tuple[Fold, PostureSolution]:
+        now = self.request
+        if _same_fold(target, now):
+            return self._gliding.fold, self.posture
+        if (target.run, target.model) != (now.run, now.model):
+            raise ParameterError("model", "cannot change while the voice goes on", "a new voice")
+        same_posture = (target.activation, target.posture, target.posturing, target.constants.L_0_m) == (
+            now.activation, now.posture, now.posturing, now.constants.L_0_m
+        )  # fmt: skip
+        posture = self.posture if same_posture else posture_of(target)
+        fold = fold_of(target, posture)
+        self._check(fold)
+        return fold, posture
+
+    def _check(self, fold: Fold) -> None:
+        if longest_stable_step_s(fold) < DEFAULT_STEP_S:
+            raise ParameterError(
+                "run.ny", f"{fold.nx}×{fold.ny} nodes need a shorter step than a gliding voice takes", "20×10 nodes"
+            )
+
+    @staticmethod
+    def _tract(request: Simulation):
+        return vowel_tract(request.vowel, request.constants.rho_a_kg_m3, request.constants.c_a_m_s)
+
+
+def _same_fold(a: Simulation, b: Simulation) -> bool:
+    """Whether only breath or vowel differ."""
+    return (a.activation, a.posture, a.posturing, a.constants, a.convergence_angle_rad, a.run, a.model) == (
+        b.activation, b.posture, b.posturing, b.constants, b.convergence_angle_rad, b.run, b.model
+    )  # fmt: skip

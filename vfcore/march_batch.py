@@ -1,0 +1,163 @@
+"""Many folds in motion: those alike side by side, one in each lane of the step.
+
+The numbers of a fold do not depend on its neighbours: each lane is arithmetic of its own, and a batch that is not full
+is filled with copies of its first fold. So a point of a sweep is the same, bit for bit, whatever batch it is in, and a
+fold that diverges disturbs no other. In single precision (twice the lanes) displacements carry seven digits.
+"""
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vfcore import assemble
+from vfcore.errors import Cancelled, DivergenceError
+from vfcore.kernels.fold import step_kernel
+from vfcore.kernels.layout import LANES, RECORD, SCALARS, Layout
+from vfcore.march import CHUNK_S, LARGEST_DISPLACEMENT_M, diverged, flat_bump, record_every
+from vfcore.statics import StaticShape
+
+
+class Motion(NamedTuple):
+    """One fold to be set in motion: from ``start``, or flat with a bump of 1 nm."""
+
+    fold: assemble.Fold
+    time_step_s: float
+    pressure_pa: float
+    duration_s: float
+    rise_s: float = 0.0
+    start: StaticShape | None = None
+
+    @property
+    def sample_s(self) -> float:
+        """Time between two recorded samples."""
+        return self.time_step_s * record_every(self.time_step_s)
+
+
+class Outcome(NamedTuple):
+    """The record (samples, 5) of one fold, float64, layout.RECORD, each column contiguous; or why there is none."""
+
+    record: np.ndarray | None
+    sample_s: float
+    problem: DivergenceError | None
+
+
+def march_many(
+    motions: Sequence[Motion],
+    *,
+    single_precision: bool = False,
+    stop: Callable[[], bool] | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Iterator[tuple[int, Outcome]]:
+    """March all and yield (index, outcome) as batches finish; a batch is marched when its first outcome is asked for.
+
+    ``progress(fraction)`` of all steps is told, and ``stop()`` asked, between chunks of about 5 ms of voice; Cancelled
+    is raised when it answers true. The step holds no GIL: several threads may march at a time.
+    """
+    precision = "float32" if single_precision else "float64"
+    alike: dict[tuple, list[int]] = defaultdict(list)
+    for index, motion in enumerate(motions):
+        fold, samples = motion.fold, round(motion.duration_s / motion.sample_s)
+        alike[fold.nx, fold.ny, fold.rotation, motion.time_step_s, samples].append(index)
+    together = LANES[precision]
+    batches = [
+        (key[-1], members[begin : begin + together])
+        for key, members in alike.items()
+        for begin in range(0, len(members), together)
+    ]
+    for done, (samples, members) in enumerate(batches):
+        batch = _Batch([motions[index] for index in members], precision)
+        told = (lambda part, done=done: progress((done + part) / len(batches))) if progress is not None else None
+        records = batch.run(samples, told, stop)
+        for place, index in enumerate(members):
+            problem = batch.problems[place]
+            record = None if problem is not None else records[place].T
+            yield index, Outcome(record, motions[index].sample_s, problem)
+
+
+class _Batch:
+    """Up to LANES[precision] folds of one grid and step, side by side in one buffer."""
+
+    def __init__(self, motions: Sequence[Motion], precision: str):
+        first = motions[0].fold
+        self.motions, self.folds = motions, LANES[precision]
+        self.time_step_s = motions[0].time_step_s
+        self.record_every = record_every(self.time_step_s)
+        self.problems: list[DivergenceError | None] = [None] * len(motions)
+        self.layout = Layout(first.nx, first.ny, self.folds, self.folds)
+        self.buffer = assemble.empty_buffer(self.layout, precision)
+        self.scalars = np.empty((len(SCALARS), self.folds), precision)
+        for place in range(self.folds):
+            motion = motions[place if place < len(motions) else 0]
+            assemble.fill(self.buffer, self.layout, place, motion.fold, self.time_step_s)
+            self.scalars[:, place] = assemble.scalars(motion.fold, self.time_step_s)
+            self._start(place, motion)
+        self._advance = step_kernel(first.nx, first.ny, first.rotation, precision, many=True)
+
+    def _start(self, place: int, motion: Motion) -> None:
+        fold, shape = motion.fold, motion.start
+        w = assemble.membranes(self.buffer, self.layout)[:, :, place]
+        if shape is None:
+            w[:] = flat_bump(fold)
+            return
+        w[:] = shape.w_m
+        assemble.beams(self.buffer, self.layout)[:, place] = shape.w_b
+        if fold.rotation:
+            assemble.membranes(self.buffer, self.layout, "phi")[:-1, :, place] = np.diff(shape.w_m, axis=0) / fold.dy
+
+    def run(
+        self, samples: int, progress: Callable[[float], None] | None, stop: Callable[[], bool] | None
+    ) -> np.ndarray:
+        """Records (len(motions), 5, samples), float64; a fold in ``problems`` has none."""
+        records = np.empty((len(self.motions), len(RECORD), samples))
+        per_chunk = max(1, round(CHUNK_S / (self.time_step_s * self.record_every)))
+        for begin in range(0, samples, per_chunk):
+            if stop is not None and stop():
+                raise Cancelled("the run was stopped")
+            end = min(begin + per_chunk, samples)
+            chunk = self._chunk(begin, end - begin)
+            records[:, :, begin:end] = chunk[:, :, : len(self.motions)].transpose(2, 1, 0)
+            if progress is not None:
+                progress(end / samples)
+            if None not in self.problems:
+                break
+        return records
+
+    def _chunk(self, first_sample: int, samples: int) -> np.ndarray:
+        before = self.buffer.copy()
+        first = first_sample * self.record_every
+        steps = np.arange(first, first + samples * self.record_every)
+        chunk = np.empty((samples, len(RECORD), self.folds), self.buffer.dtype)
+        self._step(self.buffer, steps, self.record_every, chunk)
+        beyond = self._beyond(self.buffer).any(axis=(0, 1))
+        fresh = [place for place, problem in enumerate(self.problems) if problem is None and beyond[place]]
+        if fresh:
+            self._locate(fresh, before, steps)
+        return chunk
+
+    def _step(self, buffer: np.ndarray, steps: np.ndarray, every: int, record: np.ndarray) -> None:
+        pressures = np.empty((len(steps), self.folds), buffer.dtype)
+        for place in range(self.folds):
+            motion = self.motions[place if place < len(self.motions) else 0]
+            rise = motion.rise_s
+            share = np.minimum(steps * self.time_step_s / rise, 1.0) if rise > 0.0 else 1.0
+            pressures[:, place] = motion.pressure_pa * share
+        self._advance(buffer, self.scalars.reshape(-1), pressures.reshape(-1), every, record.reshape(-1))
+
+    def _beyond(self, buffer: np.ndarray) -> np.ndarray:
+        """Where (ny, nx, folds) the displacement has left the bounds; NaN has."""
+        return ~(np.abs(assemble.membranes(buffer, self.layout)) < LARGEST_DISPLACEMENT_M)
+
+    def _locate(self, places: list[int], buffer: np.ndarray, steps: np.ndarray) -> None:
+        """Replay a chunk step by step and note, for each of ``places``, when and where it left the bounds."""
+        scratch = np.empty((1, len(RECORD), self.folds), buffer.dtype)
+        for step in steps:
+            self._step(buffer, np.array([step]), 1, scratch)
+            beyond = self._beyond(buffer)
+            for place in [place for place in places if beyond[:, :, place].any()]:
+                fold = self.motions[place].fold
+                self.problems[place] = diverged(fold, self.time_step_s, step, beyond[:, :, place])
+                places.remove(place)
+            if not places:
+                return
