@@ -4,10 +4,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, Discriminator, Field, Tag
 
+from vfcore.batch import PRECISIONS
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.request import numeric_paths
 from vfcore.sweep.document import MOST_AXES, sweep_from_dict
-from vfcore.sweep.plan import PRECISIONS, Sweep
+from vfcore.sweep.plan import Sweep
 from vocalis_server.request_schema import STRICT, JobBody, SimulationBody
 
 Path = Annotated[str, Field(json_schema_extra={"enum": list(numeric_paths())})]

@@ -14,7 +14,7 @@ from vfcore.sweep.document import sweep_from_dict
 from vfcore.sweep.table import SweepTable
 from vocalis_server.jobs.archive import Archive
 from vocalis_server.jobs.document import job_document
-from vocalis_server.jobs.engine import Engine, Work
+from vocalis_server.jobs.engine import Engine
 from vocalis_server.jobs.events import DONE, PROGRESS, Event
 from vocalis_server.jobs.ledger import Ledger, now
 from vocalis_server.jobs.model import (
@@ -30,6 +30,7 @@ from vocalis_server.jobs.model import (
 from vocalis_server.jobs.points import PointStore
 from vocalis_server.jobs.store import JobStore, KeyUse
 from vocalis_server.jobs.sweep_work import SweepWork
+from vocalis_server.jobs.work import Work
 
 
 class Desk:

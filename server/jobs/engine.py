@@ -8,44 +8,20 @@ import logging
 import threading
 import time
 from collections import deque
-from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any
 
 from vfcore.errors import VocalisError
-from vfcore.version import MODEL_VERSION
-from vocalis_server.jobs.lane import Cluster, Died, Failed, Finished, Lane, NoConnection
+from vocalis_server.jobs.lane import Cluster, Died, Failed, Finished, Lane
 from vocalis_server.jobs.points import PointStore
-from vocalis_server.jobs.sweep_work import InFlight, Keeper, SweepWork, Task
+from vocalis_server.jobs.sweep_task import carry_out
+from vocalis_server.jobs.sweep_work import InFlight, SweepWork
+from vocalis_server.jobs.work import Listener, Work
 from vocalis_server.jobs.worker import Worker
-from vocalis_server.problems import is_about_model, problem_of
+from vocalis_server.problems import problem_of
 
 log = logging.getLogger("vocalis")
 ATTEMPTS = 2  # a worker may die once under a piece of work
 CLOSE_S = 1.0
-RECONNECT_S = 1.0
-
-
-@dataclass(slots=True)
-class Work:
-    """One computation, however many jobs wait for it."""
-
-    id: str
-    kind: str
-    request: dict[str, Any]
-    attempts: int = 0
-    stop: threading.Event = field(default_factory=threading.Event)
-
-
-class Listener(Keeper, Protocol):
-    """Who is told what becomes of work; called from the engine's threads."""
-
-    def started(self, work_id: str) -> None: ...
-    def progressed(self, work_id: str, fraction: float) -> None: ...
-    def retried(self, work_id: str) -> None: ...
-    def finished(self, work_id: str, result: Any) -> None: ...
-    def failed(self, work_id: str, problem: dict[str, Any]) -> None: ...
-    def died(self, work_id: str, exit_code: int | None) -> None: ...
-    def keep_results(self, task: Task, results: dict[int, Any]) -> None: ...
 
 
 class Engine:
@@ -230,7 +206,9 @@ class Engine:
             task = sweep.next_task(self._points, self._listener, self._in_flight)
             found = task is not None
             if task is not None:
-                self._run_task(lane, task)
+                problem = carry_out(lane, task, self._listener)
+                if problem is not None:
+                    self._fail(sweep, problem)
         except Exception as error:
             if not sweep.stop.is_set():
                 if not isinstance(error, VocalisError):
@@ -252,39 +230,6 @@ class Engine:
                 self._changed.notify_all()
             if complete:
                 self._listener.finished(sweep.id, None)
-
-    def _run_task(self, lane: Lane, task: Task) -> None:
-        """Have a task computed and stored; after the death of its worker point by point."""
-        if (died := self._attempt(lane, task)) is None:
-            return
-        for single in task.singles() if len(task.positions) > 1 else [task]:
-            if task.work.stop.is_set():
-                return
-            if (died := self._attempt(lane, single)) is not None:
-                self._listener.gave_up(
-                    single, f"The worker process ended while it computed this point, with exit code {died.exit_code}."
-                )
-
-    def _attempt(self, lane: Lane, task: Task) -> Died | None:
-        say, sweep = self._listener, task.work
-        while not sweep.stop.is_set():
-            try:
-                outcome = lane.run("sweep", (task.part, MODEL_VERSION), lambda _: None, sweep.stop)
-            except NoConnection:  # nothing was computed: this is no attempt
-                sweep.stop.wait(RECONNECT_S)
-                continue
-            if isinstance(outcome, Finished):
-                say.keep_results(task, outcome.result.results)
-                say.computed(task, outcome.result.rows)
-                sweep.portions.learn(len(task.positions), outcome.result.seconds)
-            elif isinstance(outcome, Failed) and is_about_model(outcome.problem):
-                self._fail(sweep, outcome.problem)
-            elif isinstance(outcome, Failed):
-                say.gave_up(task, outcome.problem["detail"])
-            elif isinstance(outcome, Died):
-                return outcome
-            break
-        return None
 
     def _fail(self, sweep: SweepWork, problem: dict[str, Any]) -> None:
         sweep.stop.set()

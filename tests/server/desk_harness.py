@@ -5,7 +5,6 @@ from pathlib import Path
 from vocalis_server.jobs.archive import Archive
 from vocalis_server.jobs.database import Database
 from vocalis_server.jobs.desk import Desk
-from vocalis_server.jobs.engine import Work
 from vocalis_server.jobs.events import EventLog
 from vocalis_server.jobs.folder import Folder
 from vocalis_server.jobs.ledger import Ledger
@@ -13,6 +12,7 @@ from vocalis_server.jobs.points import PointStore
 from vocalis_server.jobs.retention import Limits, Retention
 from vocalis_server.jobs.store import JobStore
 from vocalis_server.jobs.sweep_work import InFlight, SweepWork
+from vocalis_server.jobs.work import Work
 
 
 class IdleEngine:

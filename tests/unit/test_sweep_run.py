@@ -12,6 +12,7 @@ import pytest
 import xarray
 
 import vfcore
+from vfcore.batch import run_points
 from vfcore.errors import Cancelled, ParameterError
 from vfcore.sweep import SweepTable, run_sweep, sweep_from_dict
 from vfcore.sweep.dataset import dataset
@@ -33,7 +34,8 @@ def table():
 def test_a_point_has_the_numbers_of_its_own_run(table):
     for place, ct in enumerate(CT["values"]):
         run = vfcore.Run(duration_s=0.2, time_step_s=2e-5)
-        alone = vfcore.simulate(vfcore.Simulation(activation=vfcore.Activation(ct=ct), run=run)).report
+        (point,) = run_points([vfcore.Simulation(activation=vfcore.Activation(ct=ct), run=run)])
+        alone = point.report
         assert table.states()[place, 0] == alone.state
         for key, measure in alone.measures.items():
             value = table.measure(key)[place, 0]

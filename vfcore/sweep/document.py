@@ -3,13 +3,14 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from vfcore.batch import PRECISIONS
 from vfcore.content import canonical
 from vfcore.errors import ParameterError
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict
 from vfcore.sweep.paths import check_path, check_value
-from vfcore.sweep.plan import PRECISIONS, Axis, Sweep
+from vfcore.sweep.plan import Axis, Sweep
 
 MOST_AXES = 3
 MOST_POINTS = 10**9  # positions beyond would not be whole numbers everywhere

@@ -12,8 +12,6 @@ from vfcore.content import canonical, content_hash
 from vfcore.params import Simulation
 from vfcore.sweep.paths import Defaults, document_with_numbers, numbers, with_numbers
 
-PRECISIONS = ("float64", "float32")
-
 
 @dataclass(frozen=True, slots=True)
 class Axis:
