@@ -23,6 +23,8 @@ export function activationMapFigure({ x, y, values, states, unit, decimals, rang
   const nx = x.values.length;
   const rows = y.values.map((_, i) => values.slice(i * nx, (i + 1) * nx));
   const [low, high] = range ?? limits(values.filter((v) => v !== null), diverging);
+  const ground = colours.theme === "dark" ? "#101416" : "#ffffff";
+  const lineColour = diverging ? colours.inkSoft : colours.theme === "dark" ? "rgba(0,0,0,.55)" : "rgba(255,255,255,.75)";
   const place = `${y.label} %{y:${y.format ?? ".2f"}}, ${x.label} %{x:${x.format ?? ".2f"}}<br>`;
   const font = { family: getComputedStyle(document.documentElement).getPropertyValue("--font"), size: compact ? 11 : 12.5, color: colours.ink };
   const axis = { zeroline: false, showgrid: false, linecolor: colours.line, ticks: "outside", tickcolor: colours.line, nticks: 6, fixedrange: true };
@@ -33,8 +35,8 @@ export function activationMapFigure({ x, y, values, states, unit, decimals, rang
       colorbar: { thickness: 11, outlinewidth: 0, len: 1, nticks: 6, tickfont: font },
     },
     {
-      type: "contour", x: x.values, y: y.values, z: rows, ncontours: contours, contours: { coloring: "none", showlabels: true, labelfont: { ...font, size: font.size - 2, color: colours.theme === "dark" ? "#101416" : "#ffffff" } },
-      line: { width: 1, color: colours.theme === "dark" ? "rgba(0,0,0,.55)" : "rgba(255,255,255,.75)", smoothing: 0.6 }, showscale: false, hoverinfo: "skip", connectgaps: false,
+      type: "contour", x: x.values, y: y.values, z: rows, autocontour: false, contours: { ...levels(low, high, contours), coloring: "none", showlabels: true, labelfont: { ...font, size: font.size - 2, color: diverging ? colours.ink : ground } },
+      line: { width: 1, color: lineColour, smoothing: 0.6 }, showscale: false, hoverinfo: "skip", connectgaps: false,
     },
   ]; // prettier-ignore
   for (const [state, { symbol }] of Object.entries(CELL_MARKS)) {
@@ -75,4 +77,12 @@ function limits(known, diverging) {
   if (!diverging) return low < high ? [low, high] : [low - 1, high + 1];
   const most = Math.max(-low, high) || 1;
   return [-most, most];
+}
+
+/** Contours at round numbers: at most about `count` from `low` to `high`. */
+function levels(low, high, count) {
+  const least = (high - low) / count;
+  const power = 10 ** Math.floor(Math.log10(least));
+  const size = power * [1, 2, 5, 10].find((step) => step * power >= least * (1 - 1e-9));
+  return { start: Math.ceil(low / size) * size, end: Math.floor(high / size) * size, size };
 }
