@@ -140,9 +140,9 @@ export const SHAPES = {
 };
 
 export const PANELS = {
-  waves: "Waves", voice: "Spectrum", folds: "Folds", compare: "A / B", measures: "Measures", play: "Play", lessons: "Lessons", run: "Runs",
+  waves: "Waves", voice: "Spectrum", folds: "Folds", compare: "A / B", measures: "Measures", map: "Map", play: "Play", lessons: "Lessons", run: "Runs",
 }; // prettier-ignore
-export const TABS = { muscles: "Muscles", play: "Play", waves: "Waves", numbers: "Numbers", more: "More" };
+export const TABS = { muscles: "Muscles", play: "Play", waves: "Waves", numbers: "Numbers", map: "Map", more: "More" };
 
 export const STATES = {
   none: "No sustained vibration",

@@ -1,10 +1,12 @@
 /** The address holds every changed value, so that a copied link is a saved voice. */
 import { effect } from "./ui.js";
 import { changedValues } from "./params.js";
+import { mapShown } from "./state/look.js";
 import { section } from "./state/paper.js";
 import { schema, values } from "./state/request.js";
 
 const SECTION = "paper";
+const MAP = "map";
 const PAUSE_MS = 300; // browsers refuse more than a few address changes a second
 
 /** {changes, unknown}: values by path from a query string, and names that are no parameter. */
@@ -13,18 +15,19 @@ export function readQuery(knownSchema, query) {
   const unknown = [];
   for (const [path, text] of new URLSearchParams(query)) {
     const row = knownSchema.parameters.get(path);
-    if (path === SECTION) continue;
+    if (path === SECTION || path === MAP) continue;
     if (!row) unknown.push(path);
     else changes[path] = row.options || text === "" ? text || null : Number.isFinite(Number(text)) ? Number(text) : text;
   }
   return { changes, unknown };
 }
 
-/** `openSection`: of the Paper section, or null. */
-export function writeQuery(knownSchema, allValues, openSection = null) {
+/** `openSection`: of the Paper section, or null; `withMap`: the map over two parameters is shown. */
+export function writeQuery(knownSchema, allValues, openSection = null, withMap = false) {
   const query = new URLSearchParams();
   for (const [path, value] of Object.entries(changedValues(knownSchema, allValues))) query.set(path, value ?? "");
   if (openSection) query.set(SECTION, openSection);
+  else if (withMap) query.set(MAP, "");
   return query.toString();
 }
 
@@ -41,7 +44,7 @@ export function followUrl() {
   let waiting = 0;
   const stop = effect(() => {
     if (!schema.value) return;
-    const query = writeQuery(schema.value, values.value, section.value);
+    const query = writeQuery(schema.value, values.value, section.value, mapShown.value);
     clearTimeout(waiting);
     waiting = setTimeout(() => history.replaceState(null, "", query ? `?${query}` : location.pathname), PAUSE_MS);
   });

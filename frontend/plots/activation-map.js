@@ -1,47 +1,51 @@
 /**
- * A measure over two parameters as a Plotly figure: colours, contours, marks on cells without a value, the posture
- * that is set. Pure; `values` and `states` are flat with the second axis fastest, null where there is no value.
+ * A measure over two parameters, or a difference of one, as a Plotly figure: colours, contours, marks on cells that are
+ * no plain voice, the posture that is set. Pure; `values` and `states` are flat with the second axis fastest, null where there is no value.
  */
-import { rampScale } from "./ramp.js";
+import { divergingScale, rampScale } from "./ramp.js";
 
 /** How a cell without a value is marked; every kind has a sign of its own, so that colour is not needed. */
 export const CELL_MARKS = {
   subharmonic: { symbol: "diamond-open", sign: "◇" },
   weak: { symbol: "circle-open", sign: "○" },
   irregular: { symbol: "x-thin-open", sign: "×" },
+  unvalued: { symbol: "triangle-up-open", sign: "△" },
   none: { symbol: "line-ns-open", sign: "|" },
   failed: { symbol: "square-open", sign: "□" },
 };
 
 /**
- * `x`, `y`: {label, values}; y is the first axis of `values`. `range`: limits of the colours, or null for those of the
- * values. `current`: {x, y} of the posture set, or null. `words`: names of the states and of the marker.
+ * `x`, `y`: {label, values, format, colour} (the last two may be left out); y is the first axis of `values`. `range`:
+ * limits of the colours, or null for those of the values. `current`: {x, y} of the posture set, or null. `diverging`:
+ * colours centred on 0. `markAll`: mark cells that have a value too. `words`: names of the states and of the marker.
  */
-export function activationMapFigure({ x, y, values, states, unit, decimals, range = null, contours = 8, current = null }, colours, words, compact = false) {
+export function activationMapFigure({ x, y, values, states, unit, decimals, range = null, contours = 8, current = null, diverging = false, markAll = false }, colours, words, compact = false) {
   const nx = x.values.length;
   const rows = y.values.map((_, i) => values.slice(i * nx, (i + 1) * nx));
-  const known = values.filter((v) => v !== null);
-  const [low, high] = range ?? [Math.min(...known), Math.max(...known)];
+  const [low, high] = range ?? limits(values.filter((v) => v !== null), diverging);
+  const ground = colours.theme === "dark" ? "#101416" : "#ffffff";
+  const lineColour = diverging ? colours.inkSoft : colours.theme === "dark" ? "rgba(0,0,0,.55)" : "rgba(255,255,255,.75)";
+  const place = `${y.label} %{y:${y.format ?? ".2f"}}, ${x.label} %{x:${x.format ?? ".2f"}}<br>`;
   const font = { family: getComputedStyle(document.documentElement).getPropertyValue("--font"), size: compact ? 11 : 12.5, color: colours.ink };
   const axis = { zeroline: false, showgrid: false, linecolor: colours.line, ticks: "outside", tickcolor: colours.line, nticks: 6, fixedrange: true };
   const traces = [
     {
-      type: "heatmap", x: x.values, y: y.values, z: rows, zmin: low, zmax: high, colorscale: rampScale(colours.theme), hoverongaps: false,
-      hovertemplate: `${y.label} %{y:.2f}, ${x.label} %{x:.2f}<br><b>%{z:.${decimals}f}</b> ${unit}<extra></extra>`,
+      type: "heatmap", x: x.values, y: y.values, z: rows, zmin: low, zmax: high, colorscale: (diverging ? divergingScale : rampScale)(colours.theme), hoverongaps: false,
+      hovertemplate: `${place}<b>%{z:.${decimals}f}</b> ${unit}<extra></extra>`,
       colorbar: { thickness: 11, outlinewidth: 0, len: 1, nticks: 6, tickfont: font },
     },
     {
-      type: "contour", x: x.values, y: y.values, z: rows, ncontours: contours, contours: { coloring: "none", showlabels: true, labelfont: { ...font, size: font.size - 2, color: colours.theme === "dark" ? "#101416" : "#ffffff" } },
-      line: { width: 1, color: colours.theme === "dark" ? "rgba(0,0,0,.55)" : "rgba(255,255,255,.75)", smoothing: 0.6 }, showscale: false, hoverinfo: "skip", connectgaps: false,
+      type: "contour", x: x.values, y: y.values, z: rows, autocontour: false, contours: { ...levels(low, high, contours), coloring: "none", showlabels: true, labelfont: { ...font, size: font.size - 2, color: diverging ? colours.ink : ground } },
+      line: { width: 1, color: lineColour, smoothing: 0.6 }, showscale: false, hoverinfo: "skip", connectgaps: false,
     },
   ]; // prettier-ignore
   for (const [state, { symbol }] of Object.entries(CELL_MARKS)) {
-    const cells = states.map((s, k) => (s === state && values[k] === null ? k : -1)).filter((k) => k >= 0);
+    const cells = states.map((s, k) => (s === state && (markAll || values[k] === null) ? k : -1)).filter((k) => k >= 0);
     if (!cells.length) continue;
     traces.push({
       type: "scatter", mode: "markers", x: cells.map((k) => x.values[k % nx]), y: cells.map((k) => y.values[Math.floor(k / nx)]),
       marker: { symbol, size: compact ? 6 : 7, color: colours.inkSoft, line: { width: 1.2, color: colours.inkSoft } }, showlegend: false,
-      hovertemplate: `${y.label} %{y:.2f}, ${x.label} %{x:.2f}<br>${words[state]}<extra></extra>`,
+      hovertemplate: `${place}${words[state]}<extra></extra>`,
     }); // prettier-ignore
   }
   if (current) {
@@ -54,8 +58,8 @@ export function activationMapFigure({ x, y, values, states, unit, decimals, rang
     paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font, dragmode: false, hovermode: "closest", showlegend: false,
     margin: { l: 46, r: 8, t: 8, b: 38 },
     hoverlabel: { bgcolor: colours.panel, bordercolor: colours.line, font: { color: colours.ink } },
-    xaxis: { ...axis, title: { text: x.label, standoff: 4, font }, range: ends(x.values) },
-    yaxis: { ...axis, title: { text: y.label, standoff: 4, font }, range: ends(y.values) },
+    xaxis: { ...axis, title: { text: x.label, standoff: 4, font: { ...font, color: x.colour ?? font.color } }, range: ends(x.values) },
+    yaxis: { ...axis, title: { text: y.label, standoff: 4, font: { ...font, color: y.colour ?? font.color } }, range: ends(y.values) },
   }; // prettier-ignore
   return { traces, layout };
 }
@@ -64,4 +68,21 @@ export function activationMapFigure({ x, y, values, states, unit, decimals, rang
 function ends(values) {
   const half = values.length > 1 ? (values[1] - values[0]) / 2 : 0.5;
   return [values[0] - half, values.at(-1) + half];
+}
+
+/** Limits of the colours: of the values, or as far below 0 as above; something to stand on while there are none. */
+function limits(known, diverging) {
+  if (!known.length) return [0, 1];
+  const [low, high] = [Math.min(...known), Math.max(...known)];
+  if (!diverging) return low < high ? [low, high] : [low - 1, high + 1];
+  const most = Math.max(-low, high) || 1;
+  return [-most, most];
+}
+
+/** Contours at round numbers: at most about `count` from `low` to `high`. */
+function levels(low, high, count) {
+  const least = (high - low) / count;
+  const power = 10 ** Math.floor(Math.log10(least));
+  const size = power * [1, 2, 5, 10].find((step) => step * power >= least * (1 - 1e-9));
+  return { start: Math.ceil(low / size) * size, end: Math.floor(high / size) * size, size };
 }

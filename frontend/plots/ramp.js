@@ -1,4 +1,6 @@
 /** Colours of an ordered series of lines: even in lightness, told from the ground at both ends, safe for all eyes. */
+import { colourTable } from "./colours.js";
+
 const STOPS = {
   light: ["#c9a227", "#7aa05a", "#2b8a86", "#27608f", "#3a2a6b"],
   dark: ["#6f63c4", "#4d90c9", "#3fb3a8", "#9ec96a", "#f2df7a"],
@@ -14,3 +16,12 @@ export function rampColour(share, theme) {
 
 /** The same scale as Plotly takes it. */
 export const rampScale = (theme) => STOPS[theme].map((colour, k) => [k / (STOPS[theme].length - 1), colour]);
+
+/** Colours centred on 0, as Plotly takes them: those of signed pressure. */
+export function divergingScale(theme, stops = 16) {
+  const table = colourTable("diverging", theme);
+  return Array.from({ length: stops + 1 }, (_, k) => {
+    const at = 3 * Math.round((k / stops) * (table.length / 3 - 1));
+    return [k / stops, `rgb(${table[at]},${table[at + 1]},${table[at + 2]})`];
+  });
+}

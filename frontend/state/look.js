@@ -11,8 +11,9 @@ const _systemDark = signal(system.matches);
 const _narrow = signal(small.matches);
 const _orientation = signal("anterior_left"); // anterior_left | endoscope
 const _muscles = signal(true);
-const _panel = signal("waves"); // desktop, right column: waves | measures | play | run
-const _tab = signal("muscles"); // phone: muscles | play | waves | numbers | more
+const atMap = new URLSearchParams(location.search).has("map");
+const _panel = signal(atMap ? "map" : "waves"); // desktop, right column: a key of PANELS
+const _tab = signal(atMap ? "map" : "muscles"); // phone: a key of TABS
 const _open = signal(null); // null or {name, ...}: the dialog on top
 
 system.addEventListener("change", (event) => (_systemDark.value = event.matches));
@@ -28,6 +29,8 @@ export const musclesShown = readonly(_muscles);
 export const panel = readonly(_panel);
 export const tab = readonly(_tab);
 export const open = readonly(_open);
+/** Whether the map over two parameters is shown. */
+export const mapShown = computed(() => (_narrow.value ? _tab : _panel).value === "map");
 
 export function toggleTheme() {
   _chosenTheme.value = theme.value === "dark" ? "light" : "dark";

@@ -5,7 +5,7 @@ import { BreathAndTract } from "../controls/BreathAndTract.js";
 import { Muscles } from "../controls/Muscles.js";
 import { TopBar } from "../controls/TopBar.js";
 import { lesson } from "../state/lessons.js";
-import { narrow, open } from "../state/look.js";
+import { mapShown, narrow, open } from "../state/look.js";
 import { section } from "../state/paper.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
@@ -47,8 +47,7 @@ function Desk() {
     <div class="desk">
       <${TopBar} />
       <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} short=${true} /></aside>
-      <main class="centre"><${Stage} />${lesson.value ? html`<${LessonCard} />` : html`<${Maps} />`}</main>
-      <${RightColumn} />
+      ${mapShown.value ? html`<main class="whole"><${RightColumn} /></main>` : html`<main class="centre"><${Stage} />${lesson.value ? html`<${LessonCard} />` : html`<${Maps} />`}</main><${RightColumn} />`}
       <${Strip} />
     </div>
   `;

@@ -27,6 +27,7 @@ import { Waves } from "./Waves.js";
 const HistoryList = lazy(() => import("./HistoryList.js"), "HistoryList");
 const LessonCard = lazy(() => import("./LessonCard.js"), "LessonCard");
 const LessonList = lazy(() => import("./LessonList.js"), "LessonList");
+const MapPanel = lazy(() => import("./MapPanel.js"), "MapPanel");
 const LongRun = lazy(() => import("./LongRun.js"), "LongRun");
 const MeasureTable = lazy(() => import("./MeasureTable.js"), "MeasureTable");
 
@@ -43,6 +44,7 @@ const CONTENT = {
     </div>
   `,
   numbers: () => html`<div class="headlines">${HEADLINES.map((item) => html`<${Headline} key=${item.key} item=${item} shown=${result.value} />`)}</div><${MeasureTable} />`,
+  map: () => html`<${MapPanel} />`,
   more: () => html`<${SoundControls} /><${HistoryTools} /><button type="button" class="button" onClick=${() => openDialog("keep")}>${KEEP.title}</button><h2>${LESSONS.title}</h2><${LessonList} /><${HistoryList} /><${Variants} /><h2>${RUN.title}</h2><${LongRun} /><${Use} />`,
 };
 

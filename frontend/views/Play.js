@@ -1,5 +1,5 @@
 /** The larynx as an instrument: start, move, hear; a pad for CT and TA, what it does now, and a recording to keep. */
-import { html, signal, useComputed, useRef } from "../ui.js";
+import { html, signal, useComputed, useEffect, useRef } from "../ui.js";
 import { call, link } from "../api.js";
 import { Icon } from "../controls/Icon.js";
 import { numberText, steadyLimits } from "../plots/axis.js";
@@ -7,7 +7,7 @@ import { drawPad, drawScroll, drawSpectrum, drawTrace, padLayout } from "../plot
 import { palette, rootPx, smallFont } from "../plots/theme.js";
 import { canPlay, isOn, setRecording, soundGraph, startPlaying, stopPlaying } from "../play/player.js";
 import { hasMidi, midi, toggleMidi } from "../play/midi.js";
-import { padMap } from "../play/pad-map.js";
+import { followPad, padMap } from "../play/pad-map.js";
 import { buffer, now, problem, recorded, recordingS, status } from "../state/play.js";
 import { setValue, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
@@ -20,6 +20,7 @@ const STEP = 0.01;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export function Play() {
+  useEffect(followPad, []);
   return html`
     <div class="play">
       <div class="play-head">

@@ -12,6 +12,7 @@ const ComparePanel = lazy(() => import("./ComparePanel.js"), "ComparePanel");
 const FoldsPanel = lazy(() => import("./FoldsPanel.js"), "FoldsPanel");
 const HistoryList = lazy(() => import("./HistoryList.js"), "HistoryList");
 const LessonList = lazy(() => import("./LessonList.js"), "LessonList");
+const MapPanel = lazy(() => import("./MapPanel.js"), "MapPanel");
 const LongRun = lazy(() => import("./LongRun.js"), "LongRun");
 const VoicePanel = lazy(() => import("./VoicePanel.js"), "VoicePanel");
 const MeasureTable = lazy(() => import("./MeasureTable.js"), "MeasureTable");
@@ -23,6 +24,7 @@ export const CONTENT = {
   folds: () => html`<${FoldsPanel} />`,
   compare: () => html`<${ComparePanel} />`,
   measures: () => html`<${MeasureTable} />`,
+  map: () => html`<${MapPanel} />`,
   play: () => html`<${Play} />`,
   lessons: () => html`<${LessonList} />`,
   run: () => html`<${LongRun} /><${HistoryList} />`,
