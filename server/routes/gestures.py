@@ -9,7 +9,7 @@ from vfcore.errors import ParameterError
 from vfcore.gesture.document import contour_csv, gesture_document, gesture_netcdf_bytes
 from vfcore.gesture.gesture import gesture_to_dict
 from vfcore.gesture.render import RenderedGesture, render
-from vocalis_server import schemas
+from vocalis_server.gesture_schemas import GestureAnswer
 from vocalis_server.jobs.document import API
 from vocalis_server.jobs.model import ResultGone
 from vocalis_server.openapi import octets, problems
@@ -21,7 +21,7 @@ WAV, NETCDF, CSV = "audio/wav", "application/x-netcdf", "text/csv"
 _PROBLEMS = problems(410, 422)
 
 
-@router.post("", responses={200: {"model": schemas.GestureAnswer}} | problems(415, 422, 503))
+@router.post("", responses={200: {"model": GestureAnswer}} | problems(415, 422, 503))
 async def gesture(body: GestureBody, request: Request, shared: Shared) -> Response:
     """Render a gesture; its sound and tables can then be had under ``links``."""
     wanted = gesture_of(body)
