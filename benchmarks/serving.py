@@ -36,7 +36,7 @@ async def _client(client: httpx.AsyncClient, number: int, until: float, answers:
     chance = random.Random(number)
     await asyncio.sleep(chance.random())  # not all in the same instant
     turn = time.monotonic()
-    while turn < until:
+    while time.monotonic() < until:
         body = {"activation": {muscle: chance.random() for muscle in ("ta", "ct", "lca", "ia")}}
         began = time.monotonic()
         answer = await client.post("/posture", json=body, headers={"Authorization": f"Bearer client-{number}"})

@@ -20,7 +20,7 @@ export function followRequest() {
   const failed = (call) => (error, job) => {
     if (!(error instanceof Problem)) throw error;
     if (error.status === 401) return setConnection("login");
-    if (error.status === 0 || error.status === 503) {
+    if (error.status === 0 || error.status === 503 || error.status === 429) {
       setConnection("offline");
       clearTimeout(retry);
       retry = setTimeout(() => push(job), RETRY_MS);

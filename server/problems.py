@@ -82,7 +82,7 @@ TABLE: dict[type[Exception], Kind] = {
     WrongModel: Kind(503, "wrong-model", "A worker has another version of the model"),
     StorageFull: Kind(507, "storage-full", "There is no room left"),
     StorageUnusable: Kind(500, "storage-unusable", "The folder of jobs cannot be used"),
-    Overtaken: Kind(503, "overtaken", "Newer calls came first"),
+    Overtaken: Kind(429, "overtaken", "Newer calls came first"),
     ClientLeft: Kind(503, "client-left", "Nobody waits for the answer"),
 }
 OTHER = Kind(500, "internal", "Something went wrong in Vocalis")

@@ -67,7 +67,7 @@ class Services:
             archive=archive,
             events=events,
             desk=Desk(ledger, store, points, archive, engine, settings.jobs_per_client, settings.queue_length),
-            postures=Interactive(1, settings.interactive_waiting, "posture"),
+            postures=Interactive(1, settings.posture_waiting, "posture"),
             runs=Interactive(settings.interactive_slots, settings.interactive_waiting, "run"),
             voices=Host(settings.live_voices),
             gestures=GestureCache(),

@@ -31,6 +31,7 @@ class Settings(BaseSettings):
     jobs_directory: Path | None = Field(None, description="where jobs and results are kept; VOCALIS_DATA/jobs")
     interactive_slots: int = Field(min(2, os.cpu_count() or 1), ge=1, le=64, description="runs at a time in the server")
     interactive_waiting: int = Field(16, ge=1, le=1000, description="runs that may wait for a slot")
+    posture_waiting: int = Field(128, ge=1, le=10_000, description="postures that may wait, of some ms each")
     gesture_duration_s: float = Field(30.0, gt=0, description="longest gesture rendered while the client waits")
     live_voices: int = Field(8, ge=0, le=256, description="voices played at a time")
 

@@ -49,7 +49,7 @@ def serve_work(pipe: Connection) -> None:
             order, *rest = pipe.recv()
             if order == "run":
                 _answer(pipe, *rest)
-        except (EOFError, BrokenPipeError):
+        except (EOFError, ConnectionError):
             return
 
 

@@ -21,7 +21,7 @@ WAV, NETCDF, CSV = "audio/wav", "application/x-netcdf", "text/csv"
 _PROBLEMS = problems(410, 422)
 
 
-@router.post("", responses={200: {"model": GestureAnswer}} | problems(415, 422, 503))
+@router.post("", responses={200: {"model": GestureAnswer}} | problems(415, 422, 429, 503))
 async def gesture(body: GestureBody, request: Request, shared: Shared) -> Response:
     """Render a gesture; its sound and tables can then be had under ``links``."""
     wanted = gesture_of(body)

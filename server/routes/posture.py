@@ -15,7 +15,7 @@ from vocalis_server.services import Shared
 router = APIRouter(tags=["posture"])
 
 
-@router.post("/posture", responses={200: {"model": schemas.PostureAnswer}} | problems(415, 422, 503))
+@router.post("/posture", responses={200: {"model": schemas.PostureAnswer}} | problems(415, 422, 429, 503))
 async def posture(body: PostureBody, request: Request, shared: Shared) -> JSONResponse:
     """Posture, prestrained coefficients and static shape; takes a request without its ``run``."""
     wanted = simulation_of(body)

@@ -29,7 +29,7 @@ _OK = {
 }
 
 
-@router.post("/simulate", responses={200: _OK} | problems(415, 422, 503))
+@router.post("/simulate", responses={200: _OK} | problems(415, 422, 429, 503))
 async def simulate(
     body: SimulationBody,
     request: Request,
