@@ -161,9 +161,11 @@ function drawMap(context, place, { ct, ta, fo }, colours, font) {
       const value = fo[i * ta.length + j];
       if (value === null) continue;
       const [x, y] = place.toPoint(ct[i], ta[j]);
+      // Whole pixels: cells that overlap or miss each other by a part of one draw a grid.
+      const [left, right, top, bottom] = [x - dx / 2, x + dx / 2, y - dy / 2, y + dy / 2].map(Math.round);
       context.globalAlpha = 0.06 + 0.5 * ((value - low) / (high - low || 1));
       context.fillStyle = colours.pressure;
-      context.fillRect(x - dx / 2, y - dy / 2, dx + 0.5, dy + 0.5);
+      context.fillRect(left, top, right - left, bottom - top);
     }
   }
   context.restore();

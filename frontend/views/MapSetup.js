@@ -1,4 +1,4 @@
-/** What to map: two parameters with their ranges; the start, how far it is, and the stop. */
+/** What to map: two parameters with their ranges; and the start, how far it is, and the stop. */
 import { html, useComputed } from "../ui.js";
 import { cancelMap, startMap } from "../map.js";
 import { capital } from "../params.js";
@@ -11,9 +11,8 @@ const JOIN = "+";
 
 export function MapSetup() {
   return html`
-    <form class="map-setup" onSubmit=${(event) => (event.preventDefault(), startMap())}>
+    <form class="map-setup" id="map-setup" onSubmit=${(event) => (event.preventDefault(), startMap())}>
       ${MAP.directions.map((direction, place) => html`<${Axis} key=${place} place=${place} direction=${direction} />`)}
-      <${Run} />
     </form>
   `;
 }
@@ -58,9 +57,10 @@ function usualRange({ group, default: usual, min, max }) {
   return { from: Math.max(from, min), to: Math.min(to, max) };
 }
 
-function Run() {
+/** Stands in another row, where it has room for the progress. */
+export function MapRun() {
   const progress = running.value;
-  if (!progress) return html`<div class="map-run"><button type="submit" class="button">${map.value ? MAP.again : MAP.start}</button></div>`;
+  if (!progress) return html`<div class="map-run"><button type="submit" form="map-setup" class="button">${map.value ? MAP.again : MAP.start}</button></div>`;
   const { done, total } = progress;
   return html`
     <div class="map-run">

@@ -5,6 +5,7 @@ import { samePoints } from "../sweep-table.js";
 import { MEASURES, difference, following, keepMap, kept, map, measure, setDifference, setFollowing, setMeasure } from "../state/map.js";
 import { catalogue } from "../state/request.js";
 import { MAP } from "../texts-map.js";
+import { MapRun } from "./MapSetup.js";
 
 export function MapTools() {
   const made = map.value;
@@ -24,6 +25,7 @@ export function MapTools() {
       ${made?.job.status === "successful" && html`
         <span class="map-files">${MAP.files} <a href=${link(`jobs/${made.job.id}/result.csv`)} download>${MAP.csv}</a> <a href=${link(`jobs/${made.job.id}/result.nc`)} download>${MAP.netcdf}</a></span>
       `}
+      <${MapRun} />
     </div>
   `;
 }
