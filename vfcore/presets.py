@@ -49,7 +49,7 @@ PRESETS = (
     ),
     Preset(
         "pca_abduction", "PCA abduction",
-        "PCA overcomes weak closers: a V of 10 mm at the back, much flow, no vibration at normal pressure.",
+        "PCA overcomes weak closers: a V of 9 mm at the back, much flow, no vibration at normal pressure.",
         _muscles(0.4, 0.4, 1.0, 0.3, 0.4),
     ),
     Preset(
