@@ -103,7 +103,7 @@ def test_a_and_b_side_by_side_as_difference_and_to_hear(visit, viewport):
     here.set("activation.lca", 1)
     show(here, "compare")
     gap = here.page.locator("tr[data-compared=gap_mm]").inner_text().split("\t")
-    assert gap[1:] == ["6.69 mm", "5.52 mm", "−1.17"]
+    assert gap[1:] == ["5.80 mm", "4.78 mm", "−1.02"]
     assert here.page.locator("tr.setting").inner_text().split("\t")[:3] == ["Lateral cricoarytenoid", "0.80", "1.00"]
     both = here.picture("compare")
     here.page.get_by_role("button", name="Difference").click()

@@ -34,7 +34,8 @@ class PlainMarch(March):
         every = round(DEFAULT_STEP_S / PAPER_STEP_S)
         plain = plain_run(self.fold, self.pressure_pa, samples * every * PAPER_STEP_S, PAPER_STEP_S)[::every]
         area, flow, largest = plain.T
-        return np.column_stack([area, flow, largest, np.full(samples, np.nan), np.zeros(samples)])
+        nowhere, none = np.full(samples, np.nan), np.zeros(samples)
+        return np.column_stack([area, flow, largest, nowhere, none, np.full(samples, self.pressure_pa), none])
 
     def cycle(self, first_sample, last_sample, phases):
         return {}
