@@ -40,6 +40,7 @@ def address(lines: list[str]) -> str:
     return re.match(r"Vocalis: (\S+)", lines[0]).group(1)
 
 
+@pytest.mark.alone
 @pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM])
 def test_it_says_once_where_it_is_and_stops_within_two_seconds_with_work_and_streams_open(stop):
     with started() as (process, lines):
