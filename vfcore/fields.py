@@ -7,6 +7,7 @@ the metadata that ``quantity`` attaches to a dataclass field.
 import dataclasses
 import math
 import sys
+from functools import cache
 from numbers import Real
 
 from vfcore.errors import ParameterError
@@ -57,11 +58,11 @@ def flag(default: bool, label: str, *, source: str, help: str = ""):
 
 def validate(instance, prefix: str = "") -> None:
     """Check every declared field of a dataclass; raise ParameterError for the first bad one."""
-    for spec in dataclasses.fields(instance):
-        if not spec.metadata:
+    for name, low, high, spec in _declared(type(instance)):
+        value = getattr(instance, name)
+        if type(value) is float and low <= value <= high:  # what nearly every value is: not NaN, and in range
             continue
-        path = f"{prefix}{spec.name}"
-        value = getattr(instance, spec.name)
+        path = f"{prefix}{name}"
         if "flag" in spec.metadata:
             if not isinstance(value, bool):
                 raise ParameterError(path, f"{value!r} is neither true nor false", "true | false")
@@ -70,7 +71,17 @@ def validate(instance, prefix: str = "") -> None:
             if value not in options and not (value is None and spec.default is None):
                 raise ParameterError(path, f"{value!r} is not known", " | ".join(options))
         else:
-            check_number(path, value, spec.metadata["low"], spec.metadata["high"], spec.metadata["unit"])
+            check_number(path, value, low, high, spec.metadata["unit"])
+
+
+@cache
+def _declared(kind: type) -> tuple[tuple[str, float, float, dataclasses.Field], ...]:
+    """Name, range and declaration of the fields to check; a field that is no number has an empty range."""
+    return tuple(
+        (spec.name, spec.metadata.get("low", math.inf), spec.metadata.get("high", -math.inf), spec)
+        for spec in dataclasses.fields(kind)
+        if spec.metadata
+    )
 
 
 def check_number(path: str, value, low: float, high: float, unit: str = "", integer: bool = False) -> None:

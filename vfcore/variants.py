@@ -7,6 +7,7 @@ modal posture nearest to published norms of men. ``human_female`` is scaled from
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 
 from vfcore.constants import FoldConstants
 
@@ -44,7 +45,12 @@ class ModelVariant:
 
     def constants(self, **overrides: float) -> FoldConstants:
         """The fold's constants of this variant, some of them replaced. ParameterError for a value out of range."""
-        return FoldConstants(**{**self.overrides, **overrides})
+        return FoldConstants(**{**self.overrides, **overrides}) if overrides else _unaltered(self.changes)
+
+
+@cache
+def _unaltered(changes: tuple[Change, ...]) -> FoldConstants:
+    return FoldConstants(**{change.name: change.value for change in changes})
 
 
 _HUMAN = (

@@ -6,7 +6,7 @@ their peak tension in about 20–50 ms; Titze 1994, Principles of Voice Producti
 implementation for playing live; breakpoints of a gesture are followed as they stand.
 """
 
-from vfcore.gesture.gesture import MOVABLE, with_number
+from vfcore.gesture.gesture import MOVABLE, with_numbers
 from vfcore.params import Simulation
 from vfcore.schema import parameter_schema
 
@@ -33,17 +33,37 @@ def number_at(request: Simulation, path: str) -> float | None:
 
 def differences(now: Simulation, wanted: Simulation) -> tuple[str, ...]:
     """The numbers in which two requests differ."""
-    if now is wanted or now == wanted:
+    if now is wanted:
         return ()
-    return tuple(path for path in MOVABLE if number_at(now, path) != number_at(wanted, path))
+    return tuple(
+        path
+        for part, paths in _PATHS_OF.items()
+        if not _same(now, wanted, part)
+        for path in paths
+        if number_at(now, path) != number_at(wanted, path)
+    )
+
+
+#: The movable numbers by the part of a request they belong to: most of the time all but one or two parts are the same.
+_PATHS_OF = {
+    part: tuple(path for path in MOVABLE if path.rpartition(".")[0] == part)
+    for part in dict.fromkeys(path.rpartition(".")[0] for path in MOVABLE)
+}
+
+
+def _same(now: Simulation, wanted: Simulation, part: str) -> bool:
+    if not part:
+        return False
+    if part == "constants" and now.posturing != wanted.posturing:
+        return False
+    return getattr(now, part) == getattr(wanted, part)
 
 
 def approach(now: Simulation, wanted: Simulation, paths: tuple[str, ...]) -> Simulation:
     """The request one block later: every number of ``paths`` as near to ``wanted`` as a block allows."""
-    for path in paths:
-        value, goal = number_at(now, path), number_at(wanted, path)
-        largest = LARGEST_MOVE[path]
-        if value != goal:
-            step = max(-largest, min(largest, goal - value))
-            now = with_number(now, path, goal if abs(goal - value) <= largest else value + step)
-    return now
+    return with_numbers(now, {path: _nearer(path, number_at(now, path), number_at(wanted, path)) for path in paths})
+
+
+def _nearer(path: str, value: float, goal: float) -> float:
+    largest = LARGEST_MOVE[path]
+    return goal if abs(goal - value) <= largest else value + max(-largest, min(largest, goal - value))

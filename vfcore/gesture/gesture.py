@@ -46,9 +46,7 @@ class Gesture:
 
     def at(self, time_s: float) -> Simulation:
         """The request as it stands at a time."""
-        now = self.start
-        for track in self.tracks:
-            now = with_number(now, track.path, track.at(time_s))
+        now = with_numbers(self.start, {track.path: track.at(time_s) for track in self.tracks})
         vowel = next((vowel for begin, vowel in reversed(self.vowels) if begin <= time_s), now.vowel)
         return now if vowel == now.vowel else replace(now, vowel=vowel)
 
@@ -112,11 +110,19 @@ def gesture_to_dict(gesture: Gesture) -> dict[str, Any]:
 
 def with_number(request: Simulation, path: str, value: float) -> Simulation:
     """The request with one number (a path of MOVABLE) replaced; ParameterError when it is out of range."""
-    group, _, name = path.rpartition(".")
-    if not group:
-        return replace(request, **{name: value})
-    if group == "posture" and request.posture is None:
-        raise ParameterError(path, "moves a posture that is not given", "a request with a posture of its own")
-    if group == "constants" and name not in FOLD_NAMES:
-        return replace(request, posturing=request.posturing.override(name, value))
-    return replace(request, **{group: replace(getattr(request, group), **{name: value})})
+    return with_numbers(request, {path: value})
+
+
+def with_numbers(request: Simulation, values: Mapping[str, float]) -> Simulation:
+    """The same with several numbers at once."""
+    parts: dict[str, dict[str, float]] = {}
+    for path, value in values.items():
+        group, _, name = path.rpartition(".")
+        if group == "posture" and request.posture is None:
+            raise ParameterError(path, "moves a posture that is not given", "a request with a posture of its own")
+        parts.setdefault("posturing" if group == "constants" and name not in FOLD_NAMES else group, {})[name] = value
+    changes: dict[str, Any] = parts.pop("", {})
+    if "posturing" in parts:
+        changes["posturing"] = request.posturing.override_all(parts.pop("posturing"))
+    changes |= {group: replace(getattr(request, group), **numbers) for group, numbers in parts.items()}
+    return replace(request, **changes) if changes else request

@@ -14,6 +14,7 @@ import numpy as np
 
 from vfcore import assemble
 from vfcore.kernels.fold import step_kernel
+from vfcore.kernels.glide import put_between
 from vfcore.kernels.layout import RECORD
 from vfcore.march import LARGEST_DISPLACEMENT_M, March, diverged
 
@@ -37,15 +38,17 @@ class GlidingFold:
     def advance(self, to: assemble.Fold, pressure_pa: float, steps: int, look_at: int = 0) -> np.ndarray:
         """Move to another fold of the same grid and another pressure in ``steps``; (steps, 5), layout.RECORD.
 
-        ``look_at``: the step, a multiple of STRETCH_STEPS, after which ``seen`` is taken; looking changes nothing.
+        ``look_at``: the step, a multiple of STRETCH_STEPS, after which ``seen`` is taken, 0 for not at all; looking
+        changes nothing.
         Raises DivergenceError when the fold leaves all bounds.
         """
         record = np.empty((steps, len(RECORD)))
         pressure = np.linspace(self.pressure_pa, pressure_pa, steps, endpoint=False)
         if to is self.fold:
-            self._advance(self._buffer, self._scalars, pressure[:look_at], 1, record[:look_at].reshape(-1), self._air)
-            self._look(look_at, look_at)
-            self._advance(self._buffer, self._scalars, pressure[look_at:], 1, record[look_at:].reshape(-1), self._air)
+            self._march(pressure, record, 0, look_at or steps)
+            if look_at:
+                self.seen = self.shape()
+            self._march(pressure, record, look_at or steps, steps)
         else:
             self._glide(to, pressure, record, look_at)
         self.fold, self.pressure_pa = to, pressure_pa
@@ -59,22 +62,24 @@ class GlidingFold:
         """Present displacement (ny, nx) of the membrane and (nx,) of the beam; copies, m."""
         return assemble.membrane(self._buffer, self.fold).copy(), assemble.beam(self._buffer, self.fold).copy()
 
-    def _look(self, step: int, look_at: int) -> None:
-        if step == look_at:
-            self.seen = self.shape()
+    def _march(self, pressure: np.ndarray, record: np.ndarray, begin: int, end: int) -> None:
+        if begin < end:
+            rows = record[begin:end].reshape(-1)
+            self._advance(self._buffer, self._scalars, pressure[begin:end], 1, rows, self._air)
 
     def _glide(self, to: assemble.Fold, pressure: np.ndarray, record: np.ndarray, look_at: int) -> None:
         rest_to = assemble.new_buffer(to, self.time_step_s)
         places = np.flatnonzero(self._rest != rest_to)  # state is 0 in both: what differs is geometry and tissue
         origin, way = self._rest[places], (rest_to - self._rest)[places]
         scalars_from, scalars_to = self._scalars, assemble.scalars(to, self.time_step_s)
-        steps = len(pressure)
+        scalars, flat, steps, width = np.empty_like(scalars_to), record.reshape(-1), len(pressure), len(RECORD)
         for begin in range(0, steps, STRETCH_STEPS):
             end = min(begin + STRETCH_STEPS, steps)
             part = 0.5 * (begin + end) / steps
-            self._buffer[places] = origin + part * way
-            scalars = scalars_from + part * (scalars_to - scalars_from)
-            self._advance(self._buffer, scalars, pressure[begin:end], 1, record[begin:end].reshape(-1), self._air)
-            self._look(end, look_at)
+            put_between(self._buffer, places, origin, way, scalars, scalars_from, scalars_to, part)
+            rows = flat[begin * width : end * width]
+            self._advance(self._buffer, scalars, pressure[begin:end], 1, rows, self._air)
+            if end == look_at:
+                self.seen = self.shape()
         self._buffer[places] = rest_to[places]
         self._rest, self._scalars = rest_to, scalars_to

@@ -6,6 +6,7 @@ import numpy as np
 
 from vfcore.audio import AUDIO_RATE_HZ, low_pass
 from vfcore.errors import ParameterError
+from vfcore.kernels.polyphase import resample
 
 
 class Resampler:
@@ -16,17 +17,20 @@ class Resampler:
         self._up, self._down = ratio.numerator, ratio.denominator
         if block * self._up % self._down:
             raise ParameterError("block", f"{block} samples make no whole number at {AUDIO_RATE_HZ} Hz", "350")
-        self._filter = low_pass(self._up, float(min(1, ratio))) * self._up
-        taps = -(-len(self._filter) // self._up)
-        self._memory = np.zeros(-(-taps // self._down) * self._down)
+        taps = low_pass(self._up, float(min(1, ratio))) * self._up
+        reach = -(-len(taps) // self._up)
+        padded = np.zeros(reach * self._up)
+        padded[: len(taps)] = taps
+        # Branch p holds every up-th tap from p on, the last first: in the order of the samples it meets.
+        self._branches = np.ascontiguousarray(padded.reshape(reach, self._up).T[:, ::-1])
+        self._samples = np.zeros(reach - 1 + block)
         self._out = block * self._up // self._down
-        self.delay_s = 0.5 * (len(self._filter) - 1) / (self._up * sample_rate_hz)
+        self.delay_s = 0.5 * (len(taps) - 1) / (self._up * sample_rate_hz)
 
     def push(self, block: np.ndarray) -> np.ndarray:
         """The next audio samples for one block."""
-        from scipy.signal import upfirdn  # half a second to import: only once there is sound to make
-
-        joined = np.concatenate([self._memory, block])
-        skip = len(self._memory) * self._up // self._down
-        self._memory = joined[-len(self._memory) :]
-        return upfirdn(self._filter, joined, self._up, self._down)[skip : skip + self._out]
+        self._samples[: -len(block)] = self._samples[len(block) :]
+        self._samples[-len(block) :] = block
+        audio = np.empty(self._out)
+        resample(self._samples, self._branches, self._down, audio)
+        return audio

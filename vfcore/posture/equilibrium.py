@@ -7,12 +7,14 @@ The answer depends on activation and constants alone: every solve starts from th
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
 from vfcore.errors import ParameterError, PostureError
 from vfcore.fields import check_number
 from vfcore.kernels.posture import NO_REST, OK, solve_postures
+from vfcore.kernels.posture_equations import Joints
 from vfcore.params import Activation
 from vfcore.posture.packing import MUSCLE_ORDER, load_scale, pack
 from vfcore.posture.solution import PostureBatch, PostureSolution
@@ -31,9 +33,9 @@ def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBa
     if not ((activations >= 0) & (activations <= 1)).all():
         raise ParameterError("activations", "a value is out of range or not finite", "0 to 1")
     n = len(activations)
-    muscles, joints = pack(constants)
+    muscles, joints, scale = _packed(constants)
     unknowns, outcomes, status = np.empty((n, 5)), np.empty((n, 4)), np.empty(n, dtype=np.int64)
-    solve_postures(activations, muscles, joints, load_scale(muscles, joints), unknowns, outcomes, status)
+    solve_postures(activations, muscles, joints, scale, unknowns, outcomes, status)
     strain, xi_02, residual, reached = outcomes.T
     converged = (status == OK) & (strain > -1)
     strain, xi_02 = np.where(converged, strain, np.nan), np.where(converged, xi_02, np.nan)
@@ -48,6 +50,13 @@ def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBa
         converged=converged,
         reached=np.where(status == NO_REST, 0.0, reached),
     )
+
+
+@lru_cache(maxsize=64)
+def _packed(constants: PosturingConstants) -> tuple[np.ndarray, Joints, np.ndarray]:
+    """What the kernel takes of a set: made once, for a voice that moves asks a hundred times a second."""
+    muscles, joints = pack(constants)
+    return muscles, joints, load_scale(muscles, joints)
 
 
 def solve_posture(

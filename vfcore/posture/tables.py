@@ -7,6 +7,7 @@ constants of Alzamendi et al. (2022); which values its posturing uses is known b
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
+from functools import cache
 from types import MappingProxyType
 
 from vfcore.errors import ParameterError
@@ -79,6 +80,8 @@ class PosturingConstants(JointConstants):
 
         Raises ParameterError("constants.<name>", ...) for an unknown name or a value out of range.
         """
+        if not values:
+            return self
         changes: dict[str | None, dict[str, float]] = {}
         for name, value in values.items():
             if name not in _PLACES:
@@ -116,6 +119,7 @@ def constant_names():
     return CONSTANTS
 
 
+@cache
 def posture_set(name: str) -> PosturingConstants:
     """The published set ``name``; ParameterError("model.posture_set", ...) when unknown."""
     if name not in SOURCES:
