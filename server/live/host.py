@@ -30,7 +30,10 @@ class Line:
         self._link = link
         self._frames: asyncio.Queue[bytes | str | None] = asyncio.Queue()
         self._loop = asyncio.get_running_loop()
-        threading.Thread(target=self._read, name="voice line", daemon=True).start()
+        try:
+            self._loop.add_reader(link.fileno(), self._take)
+        except (NotImplementedError, OSError, ValueError):  # a system whose loop cannot wait for pipes
+            threading.Thread(target=self._read, name="voice line", daemon=True).start()
 
     def send(self, message: dict[str, Any]) -> None:
         """A message for the voice; one that has ended hears nothing."""
@@ -47,6 +50,17 @@ class Line:
         """Hang up: the voice ends with its next block, and then the line."""
         with suppress(OSError):
             self._link.send_bytes(HANG_UP)
+
+    def _take(self) -> None:
+        """A frame has come: one a turn, so that no line keeps the others waiting."""
+        try:
+            frame = self._link.recv_bytes()
+        except (EOFError, OSError):
+            self._loop.remove_reader(self._link.fileno())
+            self._link.close()
+            self._frames.put_nowait(None)
+        else:
+            self._frames.put_nowait(decoded(frame))
 
     def _read(self) -> None:
         with suppress(EOFError, OSError, RuntimeError):  # RuntimeError: the loop is closed

@@ -25,7 +25,7 @@ from vocalis_server.problems import problem_of
 
 FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
-STATE_EVERY = 3  # blocks
+STATE_EVERY = 4  # blocks: 25 pictures a second
 WAVE_EVERY = 10  # samples: 3.5 kHz is enough for a line on a screen
 PACE_GAIN = 0.05  # share of the buffer's error that a block makes good
 LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin again from now
@@ -87,15 +87,15 @@ class Player:
             target = replace(target, vowel=self._wanted.vowel)
         if self._paths and not differences(target, self._wanted):
             self._paths = ()
-        block = voice.advance(target, self._strobe.moment())
+        show = (self._sequence + 1) % STATE_EVERY == 0
+        block = voice.advance(target, self._strobe.moment() if show else 0)
         if self._recording is not None:
             self._recording.take(voice.blocks, target)
         self._link.send_bytes(SOUND + audio_frame(self._sequence, block.audio_pa))
         self._sequence += 1
-        self._follow(block)
+        self._follow(block, show)
 
-    def _follow(self, block: Block) -> None:
-        show = self._sequence % STATE_EVERY == 0
+    def _follow(self, block: Block, show: bool) -> None:
         self._strobe.follow(block.record[:, 0], measure=show)
         self._levels = [*self._levels[-5:], block.lip_pressure_pa]
         self._waves.append(block.record[::WAVE_EVERY, :2])
@@ -130,6 +130,7 @@ class Player:
         """Everything the client has said since the last block; the newest of each number wins."""
         change: dict[str, Any] = {}
         record: bool | None = None
+        stamp: int | None = None
         while self._link.poll():
             said = self._link.recv_bytes()
             if said == HANG_UP:
@@ -137,12 +138,14 @@ class Player:
             message = json.loads(said)
             if "buffer_ms" in message and "wanted_buffer_ms" in message:
                 self._lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
-            record = message.get("record", record)
+            record, stamp = message.get("record", record), message.get("stamp", stamp)
             change = merged(change, {key: value for key, value in message.items() if key not in CONTROLS})
         if change:
             self._want(merged(self._document, change))
         if record is not None:
             self._record(record)
+        if stamp is not None:
+            self._say({"type": "heard", "stamp": stamp, "sequence": self._sequence})
 
     def _want(self, document: dict[str, Any]) -> None:
         try:

@@ -1,11 +1,13 @@
 """What is said over the web socket.
 
 Client → server, JSON text: a partial simulation request (``{"activation": {"ct": 0.4}}``), merged into what stands;
-beside its fields ``"buffer_ms"`` (sound the client still has) with ``"wanted_buffer_ms"``, and ``"record"``
-true (begin again from rest and keep the gesture) or false (send it).
+beside its fields ``"buffer_ms"`` (the least sound the client had waiting lately) with ``"wanted_buffer_ms"``,
+``"stamp"`` (a number of the client's own, answered by ``heard``), and ``"record"`` true (begin again from rest and keep
+the gesture) or false (send it).
 
 Server → client, binary: uint32 little-endian sequence number, then 480 float32 samples at 48 kHz, in units of
-``full_scale_pa``. Text: ``{"type": "ready" | "state" | "gesture" | "problem", …}``.
+``full_scale_pa``. Text: ``{"type": "ready" | "state" | "gesture" | "problem", …}``, and ``{"type": "heard", "stamp",
+"sequence"}``: the newest stamp that was heard, and the first frame of sound that follows it.
 """
 
 import json
@@ -22,7 +24,8 @@ LONGEST_MESSAGE = 16_384
 TEXT, SOUND = b"T", b"S"
 #: Instead of a message: the client has left.
 HANG_UP = b""
-CONTROLS = ("buffer_ms", "wanted_buffer_ms", "record")
+CONTROLS = ("buffer_ms", "wanted_buffer_ms", "stamp", "record")
+LARGEST_STAMP = 2**53 - 1  # of the whole numbers that JavaScript keeps exactly
 
 
 def read_message(text: str) -> dict[str, Any]:
@@ -39,6 +42,9 @@ def read_message(text: str) -> dict[str, Any]:
         value = message.get(name, 0)
         if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
             raise ParameterError(name, f"{value!r} is not a time", f"{low} to {high} ms")
+    stamp = message.get("stamp", 0)
+    if isinstance(stamp, bool) or not isinstance(stamp, int) or not 0 <= stamp <= LARGEST_STAMP:
+        raise ParameterError("stamp", f"{stamp!r} is not a whole number", f"0 to {LARGEST_STAMP}")
     if not isinstance(message.get("record", False), bool):
         raise ParameterError("record", f"{message['record']!r} is neither on nor off", "true or false")
     return message
