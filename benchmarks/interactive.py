@@ -5,6 +5,7 @@ all before it, so that none is answered from what the server keeps.
 """
 
 import argparse
+import os
 import re
 import subprocess
 import sys
@@ -25,22 +26,30 @@ POSTURE_MS, RUN_MS = 20.0, 60.0
 
 
 @contextmanager
-def server() -> Iterator[httpx.Client]:
-    """A client of a server of its own process, ready to compute."""
-    command = [sys.executable, "-m", "vocalis_server", "--port", "0"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+def server_process(**environment: str) -> Iterator[tuple[str, subprocess.Popen]]:
+    """Address and process of a server of its own, ready to compute."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "vocalis_server", "--port", "0"],
+        env=os.environ | environment, stdout=subprocess.PIPE, text=True,
+    )  # fmt: skip
     try:
         address = re.search(r"https?://[^\s/#]+", process.stdout.readline())[0]
-        with httpx.Client(base_url=f"{address}/api/v1", timeout=60) as client:
-            deadline = time.monotonic() + READY_WITHIN_S
-            while not client.get("/health").json()["ready"]:
-                if time.monotonic() > deadline:
-                    raise TimeoutError(f"the kernels were not compiled within {READY_WITHIN_S} s")
-                time.sleep(0.1)
-            yield client
+        deadline = time.monotonic() + READY_WITHIN_S
+        while not httpx.get(f"{address}/api/v1/health", timeout=60).json()["ready"]:
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"the kernels were not compiled within {READY_WITHIN_S} s")
+            time.sleep(0.1)
+        yield address, process
     finally:
         process.terminate()
         process.wait(20)
+
+
+@contextmanager
+def server() -> Iterator[httpx.Client]:
+    """A client of a server of its own process."""
+    with server_process() as (address, _), httpx.Client(base_url=f"{address}/api/v1", timeout=60) as client:
+        yield client
 
 
 def posture(client: httpx.Client, ct: float) -> httpx.Response:
