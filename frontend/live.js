@@ -7,12 +7,14 @@ import { recordInput, recordShown } from "./latency.js";
 import { postureRequest, simulationRequest } from "./params.js";
 import { ask } from "./stagehand.js";
 import { takePosture, takeProblem, takeResult } from "./state/outcome.js";
+import { status } from "./state/play.js";
 import { gesture, schema, values, version } from "./state/request.js";
 import { connection, setConnection } from "./state/session.js";
 
 export const LIVE_S = 0.5;
 const RETRY_MS = 1500;
 const VOICE_REST_MS = 30; // between voices, so that shapes follow the hand more closely than the voice
+const PLAYED_REST_MS = 250; // while a voice is played: it has the machine first, and shows what it does itself
 
 /** Starts following the request; returns the end of it. */
 export function followRequest() {
@@ -60,8 +62,10 @@ export function followRequest() {
     recordInput(job.version);
     push(job);
   });
+  const yields = effect(() => void (voices.restMs = status.value === "off" ? VOICE_REST_MS : PLAYED_REST_MS));
   return () => {
     stop();
+    yields();
     clearTimeout(retry);
   };
 }

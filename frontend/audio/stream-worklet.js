@@ -1,14 +1,23 @@
 /**
- * Plays blocks of sound as they come, from a small buffer that adapts: it grows after a gap and shrinks again when
- * minutes pass without one. Falls silent and comes back by fading, never by a click.
+ * Plays blocks of sound as they come, from as small a buffer as the line allows. Falls silent and comes back by fading,
+ * never by a click.
+ *
+ * What is kept in step is the low water: the least that waited since the last report. It is wanted where the deepest dip
+ * seen lately would still leave SAFETY_MS; the server sends a little faster or slower until it is there.
+ *
+ * The node's own port takes {line}: the port that blocks come through as {samples, mark}, and that reports
+ * {bufferMs, wantedMs, gaps, played} and {mark, at} (the context's time at which a marked block begins) go back to.
  */
 
 const FADE = 240; // samples, 5 ms at 48 kHz
 const CAPACITY = 1 << 15;
-const LEAST_MS = 25;
+const LEAST_MS = 6;
+const FIRST_MS = 20;
 const MOST_MS = 200;
-const GROW_MS = 10;
-const CALM_S = 20; // without a gap for so long: one step smaller
+const SAFETY_MS = 4;
+const GROW_MS = 10; // after a gap: how deep the dip would have been, nobody knows
+const SHRINK_MS = 2;
+const WATCH_REPORTS = 80; // 5 s: the stretch whose deepest dip counts
 const REPORT_EVERY = 24; // quanta of 128 samples: 64 ms
 
 class Stream extends AudioWorkletProcessor {
@@ -17,26 +26,34 @@ class Stream extends AudioWorkletProcessor {
     this.ring = new Float32Array(CAPACITY);
     this.read = 0;
     this.write = 0;
+    this.marks = []; // [place in the ring, mark]
     this.playing = false;
     this.gain = 0;
     this.last = 0;
-    this.wantedMs = LEAST_MS + 2 * GROW_MS;
+    this.wantedMs = FIRST_MS;
+    this.low = Infinity;
+    this.deepestMs = 0;
+    this.reports = 0;
     this.gaps = 0;
     this.played = 0;
-    this.calmSince = 0;
     this.quanta = 0;
-    this.port.onmessage = ({ data }) => this.take(data);
+    this.port.onmessage = ({ data: { line } }) => {
+      this.line = line;
+      line.onmessage = ({ data }) => this.take(data);
+    };
   }
 
-  take(block) {
-    for (let k = 0; k < block.length; k++) this.ring[(this.write + k) & (CAPACITY - 1)] = block[k];
-    this.write += block.length;
+  take({ samples, mark }) {
+    if (mark !== undefined) this.marks.push([this.write, mark]);
+    for (let k = 0; k < samples.length; k++) this.ring[(this.write + k) & (CAPACITY - 1)] = samples[k];
+    this.write += samples.length;
     if (this.write - this.read > CAPACITY) this.read = this.write - CAPACITY;
+    // Beyond the low water a whole block goes out before the next one comes.
+    if (this.write - this.read >= (this.wantedMs * sampleRate) / 1000 + samples.length) this.playing = true;
   }
 
   process(_, [[out]]) {
-    const waiting = this.write - this.read;
-    if (!this.playing && waiting >= (this.wantedMs * sampleRate) / 1000) this.playing = true;
+    const begin = this.read;
     for (let k = 0; k < out.length; k++) {
       const dry = this.read >= this.write;
       if (dry && this.playing) this.starve();
@@ -45,12 +62,13 @@ class Stream extends AudioWorkletProcessor {
       this.gain += Math.max(-1 / FADE, Math.min(1 / FADE, goal - this.gain));
       out[k] = this.last * this.gain;
     }
-    this.played += out.length;
-    if (this.played - this.calmSince > CALM_S * sampleRate) {
-      this.wantedMs = Math.max(LEAST_MS, this.wantedMs - GROW_MS / 2);
-      this.calmSince = this.played;
+    while (this.marks.length && this.marks[0][0] < this.read) {
+      const [place, mark] = this.marks.shift();
+      this.line.postMessage({ mark, at: currentTime + Math.max(0, place - begin) / sampleRate });
     }
-    if (++this.quanta % REPORT_EVERY === 0) this.report();
+    this.played += out.length;
+    if (this.playing) this.low = Math.min(this.low, this.write - this.read);
+    if (++this.quanta % REPORT_EVERY === 0 && this.low < Infinity) this.report();
     return true;
   }
 
@@ -58,11 +76,18 @@ class Stream extends AudioWorkletProcessor {
     this.playing = false;
     this.gaps += 1;
     this.wantedMs = Math.min(MOST_MS, this.wantedMs + GROW_MS);
-    this.calmSince = this.played;
   }
 
   report() {
-    this.port.postMessage({ bufferMs: ((this.write - this.read) / sampleRate) * 1000, wantedMs: this.wantedMs, gaps: this.gaps, played: this.played / sampleRate });
+    const bufferMs = (this.low / sampleRate) * 1000;
+    this.low = Infinity;
+    this.line.postMessage({ bufferMs, wantedMs: this.wantedMs, gaps: this.gaps, played: this.played / sampleRate });
+    this.deepestMs = Math.max(this.deepestMs, this.wantedMs - bufferMs);
+    const enough = Math.max(LEAST_MS, this.deepestMs + SAFETY_MS);
+    if (enough > this.wantedMs) this.wantedMs = Math.min(MOST_MS, enough);
+    if (++this.reports % WATCH_REPORTS) return;
+    this.wantedMs = Math.max(enough, this.wantedMs - SHRINK_MS);
+    this.deepestMs = 0;
   }
 }
 

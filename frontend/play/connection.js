@@ -1,45 +1,28 @@
-/** The web socket of a played voice: messages out, sound and states in. Knows neither audio nor page. */
+/** A played voice as the page sees it: messages out, states in. The sound goes from worker to worklet, see wire.js. */
 import { link } from "../api.js";
 
-const HEADER = 4; // uint32 sequence number
-
 /**
- * @param handlers `sound(samples, sequence)`, `said(document)` for every text frame, `ended(reason)` once.
+ * @param line the worklet's end of a MessageChannel; it goes to the worker.
+ * @param handlers `said(document)` for every text frame, `report(buffer)`, `sounded({stamp, at})` when the first block
+ *   that follows a stamped message begins, `ended(reason)` once.
  */
 export class Connection {
-  #socket;
-  #open = false;
-  #first;
-  #over = false;
+  #worker = new Worker(new URL("wire.js", import.meta.url), { type: "module" });
 
-  constructor(request, handlers) {
-    const url = link("live").replace(/^http/, "ws");
-    this.#first = request;
-    this.#socket = new WebSocket(url);
-    this.#socket.binaryType = "arraybuffer";
-    this.#socket.onopen = () => {
-      this.#open = true;
-      this.send(this.#first);
+  constructor(request, line, handlers) {
+    this.#worker.onmessage = ({ data }) => {
+      for (const [kind, what] of Object.entries(data)) handlers[kind](what);
     };
-    this.#socket.onmessage = ({ data }) => {
-      if (typeof data === "string") return handlers.said(JSON.parse(data));
-      handlers.sound(new Float32Array(data, HEADER), new DataView(data).getUint32(0, true));
-    };
-    this.#socket.onclose = ({ reason }) => {
-      if (this.#over) return;
-      this.#over = true;
-      handlers.ended(reason);
-    };
+    this.#worker.onerror = () => handlers.ended("");
+    this.#worker.postMessage({ open: { url: link("live").replace(/^http/, "ws"), first: request, line } }, [line]);
   }
 
-  /** Send a message; before the socket is open it becomes part of the first one. */
   send(message) {
-    if (this.#open) this.#socket.send(JSON.stringify(message));
-    else this.#first = { ...this.#first, ...message };
+    this.#worker.postMessage({ send: message });
   }
 
   close() {
-    this.#over = true;
-    this.#socket.close();
+    this.#worker.onmessage = null;
+    this.#worker.postMessage({ close: true });
   }
 }

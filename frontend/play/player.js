@@ -4,8 +4,9 @@
  */
 import { effect, untracked } from "../ui.js";
 import { gainOf } from "../audio/sound.js";
+import { recordShown, waitFrom } from "../latency.js";
 import { changedValues, nest } from "../params.js";
-import { schema, values } from "../state/request.js";
+import { schema, values, version } from "../state/request.js";
 import { setStatus, status, takeBuffer, takeGesture, takePlayProblem, takeState } from "../state/play.js";
 import { setPlaying, volume } from "../state/sound.js";
 import { PLAY } from "../texts.js";
@@ -14,6 +15,7 @@ import { Connection } from "./connection.js";
 const RATE = 48000; // the context resamples to whatever the device has
 const FADE_IN_S = 0.15;
 const FADE_OUT_S = 0.06;
+const LIMITER_S = 0.006; // a DynamicsCompressorNode looks ahead (Web Audio API, section 1.19)
 const LOUDEST = 4; // the server's full scale leaves room for 170 dB; modal voice peaks at a tenth of it
 const NOT_LIVE = /^(run\.|model\.)/;
 
@@ -54,7 +56,8 @@ class Session {
   #connection = null;
 
   async start() {
-    const context = new AudioContext({ sampleRate: RATE, latencyHint: "interactive" });
+    // "interactive" may hold 30 ms; 0 asks for as little as the device can do.
+    const context = new AudioContext({ sampleRate: RATE, latencyHint: 0 });
     this.#ends.push(() => context.close());
     await context.audioWorklet.addModule(new URL("../audio/stream-worklet.js", import.meta.url));
     const node = new AudioWorkletNode(context, "vocalis-stream", { numberOfInputs: 0, outputChannelCount: [1] });
@@ -64,17 +67,17 @@ class Session {
     node.connect(gain).connect(limiter).connect(analyser).connect(context.destination);
     this.graph = { context, node, gain, analyser };
     await context.resume();
-    this.#connection = new Connection(bodyOf(schema.peek(), values.peek()), {
-      sound: (samples) => node.port.postMessage(samples),
+    const channel = new MessageChannel();
+    node.port.postMessage({ line: channel.port1 }, [channel.port1]);
+    this.#sent = values.peek();
+    waitFrom("slider to sound", version.peek());
+    this.#connection = new Connection(bodyOf(schema.peek(), this.#sent), channel.port2, {
       said: (document) => this.#hear(document),
+      report: takeBuffer,
+      sounded: ({ stamp, at }) => recordShown("slider to sound", stamp, outputTime(context, at)),
       ended: (reason) => session === this && stopPlaying(reason ? PLAY.ended(reason) : PLAY.gone),
     });
     this.#ends.push(() => this.#connection.close());
-    this.#sent = values.peek();
-    node.port.onmessage = ({ data }) => {
-      takeBuffer(data);
-      this.send({ buffer_ms: data.bufferMs, wanted_buffer_ms: data.wantedMs });
-    };
     this.#ends.push(effect(() => gain.gain.setTargetAtTime(LOUDEST * gainOf(volume.value), context.currentTime, FADE_IN_S / 3)));
     this.#ends.push(effect(() => this.#follow(values.value)));
   }
@@ -95,7 +98,7 @@ class Session {
     if (next === this.#sent) return;
     const changed = Object.entries(next).filter(([path, value]) => value !== this.#sent[path] && !NOT_LIVE.test(path));
     this.#sent = next;
-    if (changed.length) this.send(nest(Object.fromEntries(changed)));
+    if (changed.length) this.send({ ...nest(Object.fromEntries(changed)), stamp: version.peek() });
   }
 
   #hear(document) {
@@ -108,6 +111,12 @@ class Session {
       }
     });
   }
+}
+
+/** When a moment of the worklet leaves the loudspeaker, on the page's clock. */
+function outputTime(context, at) {
+  const { contextTime, performanceTime } = context.getOutputTimestamp();
+  return performanceTime + (at + LIMITER_S - contextTime) * 1000;
 }
 
 function bodyOf(schemaNow, valuesNow) {

@@ -1,0 +1,58 @@
+/**
+ * The worker that carries a played voice: from the socket to the worklet without a turn on the page's own thread, so
+ * that a page busy with painting makes no gap and hears the hand no later.
+ *
+ * Takes {open: {url, first, line}} once, `line` being the worklet's port, then {send: message} and {close: true}.
+ * Says {said: document} for every text frame of the server, {report} and {sounded: {stamp, at}} of the worklet,
+ * {ended: reason} once.
+ */
+const HEADER = 4; // uint32 sequence number
+
+let socket = null;
+let line = null;
+const unsaid = []; // until the socket is open
+let heard = null; // the newest movement the server has heard: {stamp, sequence} of the first block that follows it
+
+self.onmessage = ({ data: { open, send, close } }) => {
+  if (open) begin(open);
+  else if (send) say(send);
+  else if (close) {
+    socket.onclose = null;
+    socket.close();
+    self.close();
+  }
+};
+
+function begin({ url, first, line: port }) {
+  line = port;
+  line.onmessage = ({ data }) => fromWorklet(data);
+  socket = new WebSocket(url);
+  socket.binaryType = "arraybuffer";
+  unsaid.push(first);
+  socket.onopen = () => unsaid.splice(0).forEach(say);
+  socket.onmessage = ({ data }) => (typeof data === "string" ? hear(JSON.parse(data)) : play(data));
+  socket.onclose = ({ reason }) => self.postMessage({ ended: reason });
+}
+
+function say(message) {
+  if (socket.readyState === WebSocket.CONNECTING) unsaid.push(message);
+  else socket.send(JSON.stringify(message));
+}
+
+function hear(document) {
+  if (document.type === "heard") heard = document;
+  else self.postMessage({ said: document });
+}
+
+function play(frame) {
+  const samples = new Float32Array(frame, HEADER);
+  const follows = heard && new DataView(frame).getUint32(0, true) >= heard.sequence;
+  line.postMessage({ samples, mark: follows ? heard.stamp : undefined }, [frame]);
+  if (follows) heard = null;
+}
+
+function fromWorklet({ mark, at, ...report }) {
+  if (mark !== undefined) return self.postMessage({ sounded: { stamp: mark, at } });
+  say({ buffer_ms: report.bufferMs, wanted_buffer_ms: report.wantedMs });
+  self.postMessage({ report });
+}
