@@ -3,7 +3,8 @@ import { toggleSound } from "./audio/sound.js";
 import { toggleHold } from "./controls/HistoryTools.js";
 import { focusControl } from "./controls/focus.js";
 import { Disposal } from "./dispose.js";
-import { narrow, open, openDialog, setTab } from "./state/look.js";
+import { canPlay, isOn, startPlaying, stopPlaying } from "./play/player.js";
+import { narrow, open, openDialog, setPanel, setTab } from "./state/look.js";
 import { redo, undo } from "./state/history.js";
 import { holdPhase, moving, phase, setMoving } from "./state/motion.js";
 import { musclePaths } from "./state/muscles.js";
@@ -41,6 +42,7 @@ function actionOf(key, target) {
   if (key === "?") return () => openDialog("help");
   if (key === "a" || key === "A") return () => toggleHold("a");
   if (key === "b" || key === "B") return () => toggleHold("b");
+  if (key === "p" || key === "P") return togglePlay;
   if (key === "m" || key === "M") return () => setMoving(!moving.peek());
   if (key === "[") return () => holdPhase(phase.peek() - PHASE_STEP);
   if (key === "]") return () => holdPhase(phase.peek() + PHASE_STEP);
@@ -50,6 +52,15 @@ function actionOf(key, target) {
 
 /** Space presses a focused button itself. */
 const takesSpace = (target) => target.matches?.("button, a, summary, input[type=checkbox], input[type=radio], audio");
+
+/** What is played is shown; stopping leaves the page as it is. */
+function togglePlay() {
+  if (isOn()) return stopPlaying();
+  if (!canPlay()) return;
+  if (narrow.peek()) setTab("play");
+  else setPanel("play");
+  startPlaying();
+}
 
 function chooseMuscle(path) {
   if (narrow.peek()) setTab("muscles");

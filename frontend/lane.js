@@ -2,15 +2,15 @@
  * A lane of requests: one in flight, the newest waiting, everything between forgotten.
  *
  * `send(job)` answers a promise; `done(answer, job)` and `failed(error, job)` are called in the order of sending.
- * `restMs` after an answer the lane leaves server and page to others before it sends again.
+ * `restMs` after an answer the lane leaves the machine to others before it sends again.
  */
 export class Lane {
   #waiting = null;
   #busy = false;
+  restMs = 0;
 
-  constructor(send, done, failed, restMs = 0) {
+  constructor(send, done, failed) {
     this.send = send;
-    this.restMs = restMs;
     this.done = done;
     this.failed = failed;
   }

@@ -253,6 +253,7 @@ export const HELP = {
   close: "Close",
   keys: [
     ["Space", "sound on or off"],
+    ["P", "play live: the voice changes under the hand; again stops it"],
     ["1 – 5", "choose a muscle: TA, CT, LCA, IA, PCA"],
     ["← →", "move the chosen slider by its step (muscles 0.01)"],
     ["Shift ← →", "ten steps (muscles 0.1)"],

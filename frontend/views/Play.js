@@ -24,7 +24,7 @@ export function Play() {
   return html`
     <div class="play">
       <div class="play-head">
-        <button type="button" class="listen" aria-pressed=${isOn()} disabled=${!canPlay()} onClick=${() => (isOn() ? stopPlaying() : startPlaying())}>
+        <button type="button" class="listen" aria-pressed=${isOn()} disabled=${!canPlay()} title=${`${PLAY.start} (P)`} onClick=${() => (isOn() ? stopPlaying() : startPlaying())}>
           <${Icon} name=${isOn() ? "stop" : "play"} /><span>${isOn() ? PLAY.stop : PLAY.start}</span>
         </button>
         <${Record} />
