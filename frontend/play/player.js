@@ -73,7 +73,7 @@ class Session {
     waitFrom("slider to sound", version.peek());
     this.#connection = new Connection(bodyOf(schema.peek(), this.#sent), channel.port2, {
       said: (document) => this.#hear(document),
-      report: takeBuffer,
+      report: (buffer) => session === this && takeBuffer(buffer),
       sounded: ({ stamp, at }) => recordShown("slider to sound", stamp, outputTime(context, at)),
       ended: (reason) => session === this && stopPlaying(reason ? PLAY.ended(reason) : PLAY.gone),
     });
@@ -88,7 +88,7 @@ class Session {
 
   stop() {
     const { context, gain } = this.graph ?? {};
-    if (gain) gain.gain.setTargetAtTime(0, context.currentTime, FADE_OUT_S / 3);
+    if (gain) gain.gain.setTargetAtTime(0, context.currentTime, FADE_OUT_S / 6);
     const ends = this.#ends.splice(0).reverse();
     setTimeout(() => ends.forEach((end) => end()), gain ? FADE_OUT_S * 1000 : 0);
   }
@@ -102,6 +102,7 @@ class Session {
   }
 
   #hear(document) {
+    if (session !== this) return; // it was stopped and fades out
     untracked(() => {
       if (document.type === "state") takeState(document);
       else if (document.type === "gesture") takeGesture(document.gesture);
