@@ -187,7 +187,7 @@ export const SOUND = {
 export const PLAY = {
   start: "Play live",
   stop: "Stop",
-  about: "Hear the voice change under your hand: drag a muscle, the breath, or the point on the pad.",
+  about: "Hear the voice change under your hand: drag a muscle, the breath, or the point on the pad. Shading: pitch.",
   needsTls: "Live sound needs a secure page: open it on localhost, or have the server started with --tls-cert and --tls-key.",
   starting: "Starting the voice…",
   silent: "no voice",

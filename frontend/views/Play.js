@@ -29,8 +29,8 @@ export function Play() {
         </button>
         <${Record} />
         ${hasMidi && html`<button type="button" class="quiet" aria-pressed=${midi.value} title=${PLAY.midiHelp} onClick=${toggleMidi}><span>${PLAY.midi}</span></button>`}
-        <${Now} />
       </div>
+      <div class="play-line"><${Kept} /><${Now} /></div>
       <p class="play-note" role="status">${problem.value || (canPlay() ? PLAY.about : PLAY.needsTls)}</p>
       <${Pad} />
       <div class="play-pictures">
@@ -123,10 +123,15 @@ function Record() {
     <button type="button" class="quiet" aria-pressed=${on} disabled=${status.value !== "on"} title=${PLAY.recordHelp} onClick=${() => setRecording(!on)}>
       <${Icon} name=${on ? "stop" : "record"} /><span>${on ? PLAY.recording(recordingS.value) : PLAY.record}</span>
     </button>
-    ${recorded.value && !on && html`
-      <button type="button" class="quiet" disabled=${rendering.value} onClick=${() => keep("wav")}><${Icon} name="save" /><span>${PLAY.saveSound}</span></button>
-      <button type="button" class="quiet" onClick=${() => keep("json")}><${Icon} name="save" /><span>${PLAY.saveGesture}</span></button>
-    `}
+  `;
+}
+
+/** What was recorded, to be kept; the line it stands on is there before, so that nothing moves. */
+function Kept() {
+  if (!recorded.value || recordingS.value !== null) return null;
+  return html`
+    <button type="button" class="quiet" disabled=${rendering.value} onClick=${() => keep("wav")}><${Icon} name="save" /><span>${PLAY.saveSound}</span></button>
+    <button type="button" class="quiet" onClick=${() => keep("json")}><${Icon} name="save" /><span>${PLAY.saveGesture}</span></button>
   `;
 }
 

@@ -243,6 +243,7 @@ def test_on_a_phone_it_plays_under_the_stage(visit):
     phone.pad(0.9, 0.2)
     part = phone.hold(0.4)
     assert pitch_hz(phone.tape()[part], RATE) > 165
+    assert phone.page.get_by_role("button", name="Record").is_visible(), "buttons say what they do"
     assert phone.page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
 
 
