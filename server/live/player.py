@@ -3,6 +3,8 @@
 import json
 import math
 import time
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from multiprocessing.connection import Connection
 from typing import Any
@@ -32,7 +34,7 @@ LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin agai
 
 
 class Player:
-    """Runs until the other end of ``link`` hangs up."""
+    """Plays until the other end of ``link`` hangs up: ``prepare`` once, then ``turn`` whenever it is ``due_s``."""
 
     def __init__(self, link: Connection):
         self._link = link
@@ -47,37 +49,51 @@ class Player:
         self._sequence = 0
         self._levels: list[np.ndarray] = []
         self._waves: list[np.ndarray] = []
+        self.due_s = 0.0
 
-    def run(self) -> None:
-        """Play; a voice that breaks down says why and stops."""
+    def prepare(self) -> bool:
+        """Hear what is wanted first and make that voice, which may compile; False when there will be none."""
+        return self._goes_on(self._first_words)
+
+    def turn(self) -> bool:
+        """Make the block that is due; False when the voice is over. One that breaks down says why."""
+        return self._goes_on(self._next)
+
+    def close(self) -> None:
+        self._link.close()
+
+    def _goes_on(self, act: Callable[[], None]) -> bool:
         try:
-            if self._link.poll(FIRST_WORD_S):
-                self._listen()
-            self._begin()
-            self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": AUDIO_RATE_HZ // 100,
-                       "full_scale_pa": FULL_SCALE_PA, "model_version": MODEL_VERSION})  # fmt: skip
-            self._play()
+            act()
         except (EOFError, OSError):  # the client has left
-            return
+            return False
         except VocalisError as error:
-            self._say({"type": "problem", "problem": problem_of(error), "over": True})
+            with suppress(OSError):
+                self._say({"type": "problem", "problem": problem_of(error), "over": True})
+            return False
+        return True
+
+    def _first_words(self) -> None:
+        if self._link.poll(FIRST_WORD_S):
+            self._listen()
+        self._begin()
+        self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": AUDIO_RATE_HZ // 100,
+                   "full_scale_pa": FULL_SCALE_PA, "model_version": MODEL_VERSION})  # fmt: skip
+        self.due_s = time.monotonic() - LEAD_BLOCKS * BLOCK_S
+
+    def _next(self) -> None:
+        self._listen()
+        self._block()
+        self.due_s += BLOCK_S - PACE_GAIN * self._lead_error_s
+        self._lead_error_s *= 1.0 - PACE_GAIN
+        now = time.monotonic()
+        if self.due_s < now - LARGEST_LAG_S:
+            self.due_s = now
 
     def _begin(self) -> None:
         self._voice = Voice(self._wanted)
         self._paths = ()
         self._strobe = Strobe()
-
-    def _play(self) -> None:
-        due = time.monotonic() - LEAD_BLOCKS * BLOCK_S
-        while True:
-            self._listen()
-            self._block()
-            due += BLOCK_S - PACE_GAIN * self._lead_error_s
-            self._lead_error_s *= 1.0 - PACE_GAIN
-            now = time.monotonic()
-            if due < now - LARGEST_LAG_S:
-                due = now
-            time.sleep(max(0.0, due - now))
 
     def _block(self) -> None:
         voice = self._voice

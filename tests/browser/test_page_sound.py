@@ -166,3 +166,42 @@ def test_a_loop_of_whole_periods_repeats_without_a_seam(modules, rate, out):
     assert sorted(spectrum)[-1] == pytest.approx(1, rel=0.01)
     others = [level for k, level in enumerate(spectrum) if all(abs(k - line) > 8 for line in lines)]
     assert max(others) < 2e-3, "nothing is added beside the wave's own harmonics"
+
+
+STREAM = """async ([pieces, rate]) => {
+  const context = new OfflineAudioContext(1, rate, rate);
+  await context.audioWorklet.addModule("/audio/stream-worklet.js");
+  const node = new AudioWorkletNode(context, "vocalis-stream", { numberOfInputs: 0, outputChannelCount: [1] });
+  const { port1, port2 } = new MessageChannel();
+  const reports = [];
+  port2.onmessage = ({ data }) => reports.push(data);
+  node.port.postMessage({ line: port1 }, [port1]);
+  node.connect(context.destination);
+  for (const [second, samples, mark] of pieces)
+    context.suspend(second).then(async () => {
+      port2.postMessage({ samples: new Float32Array(samples), mark: mark ?? undefined });
+      await new Promise((done) => setTimeout(done, 100));
+      context.resume();
+    });
+  const sound = Array.from((await context.startRendering()).getChannelData(0));
+  await new Promise((done) => setTimeout(done, 100));
+  return { sound, reports };
+}"""
+
+
+def test_a_played_voice_that_runs_dry_fades_out_and_in_and_says_so(modules):
+    rate, seconds = 48000, 0.2
+    t = np.arange(round(seconds * rate)) / rate
+    first, second = (np.sin(2 * np.pi * 200 * (t + begin)).tolist() for begin in (0, seconds))
+    # A message posted in one rest of an offline context arrives in the next.
+    rests = [[0.003, [], None], [0.006, first, 1], [0.01, [], None], [0.49, second, 2], [0.5, [], None]]
+    answer = modules(STREAM, [rests, rate])
+    sound = np.array(answer["sound"])
+    assert np.abs(sound[4800:9000]).max() > 0.99
+    assert np.abs(sound[round(0.25 * rate) : round(0.49 * rate)]).max() == 0, "dry"
+    assert np.abs(sound[round(0.55 * rate) : round(0.65 * rate)]).max() > 0.99, "and back"
+    assert np.abs(np.diff(sound)).max() < 1.3 * 2 * np.pi * 200 / rate, "without a click"
+    marks = {report["mark"]: report["at"] for report in answer["reports"] if "mark" in report}
+    assert marks == pytest.approx({1: 0.01, 2: 0.5}, abs=0.006), "when each marked block began to sound"
+    gaps = [report["gaps"] for report in answer["reports"] if "gaps" in report]
+    assert gaps[-1] == 2, "once between, once at the end"

@@ -10,6 +10,7 @@ from vfcore.acoustics.tract import vowel_tract
 from vfcore.audio import AUDIO_RATE_HZ
 from vfcore.audio import render as resampled
 from vfcore.errors import Cancelled, DivergenceError, ParameterError
+from vfcore.gesture.approach import approach
 from vfcore.gesture.gesture import gesture_from_dict
 from vfcore.gesture.render import RATE_HZ, render
 from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Voice
@@ -83,6 +84,21 @@ def test_a_new_vowel_makes_no_click():
     at = 30 * BLOCK_STEPS
     step = np.abs(np.diff(sound))
     assert step[at - 10 : at + BLOCK_STEPS + 10].max() < 1.5 * max(step[at // 2 : at].max(), step[at * 3 // 2 :].max())
+
+
+def test_a_hand_that_jumps_makes_no_click():
+    """The jump moves the sound no more steeply than a slow glide over the same range does by itself."""
+
+    def steepest(blocks_of_motion: int) -> float:
+        voice, sound = Voice(vfcore.Simulation(activation=vfcore.Activation(ct=0.1))), []
+        for k in range(30 + blocks_of_motion + 30):
+            share = min(1.0, max(0.0, (k - 29) / blocks_of_motion))
+            goal = vfcore.Simulation(activation=vfcore.Activation(ct=0.1 + 0.8 * share))
+            sound.append(voice.advance(approach(voice.request, goal, ("activation.ct",))).audio_pa)
+        assert voice.request.activation.ct == pytest.approx(0.9)
+        return float(np.abs(np.diff(np.concatenate(sound[15:]))).max())
+
+    assert steepest(1) < 1.3 * steepest(60)
 
 
 def test_the_voice_stops_and_starts_as_the_pressure_does():
