@@ -31,6 +31,7 @@ REPORT_S = 0.064
 HAND_S = 1 / 60  # between two movements
 SETTLE_S = 2.0  # of a voice, not counted: its onset, and the server's first words
 VISIT_S = 60.0
+REST_S = 0.5  # between two visits: the server has noticed by then that the first is over
 MOST_SHARE = 0.06
 MOST_GROWTH = 0.10
 SETTLED = 0.2  # of the time: caches are filled by then
@@ -147,6 +148,7 @@ async def soak(url: str, pid: int, voices: int, minutes: float) -> dict:
         await asyncio.sleep(number * VISIT_S / voices / 4)
         while (left := until - time.monotonic()) > SETTLE_S:
             await play(url, min(VISIT_S, left), number % 2 == 0, heard)
+            await asyncio.sleep(REST_S)
 
     playing = [asyncio.create_task(visits(number)) for number in range(voices)]
     while time.monotonic() < until:

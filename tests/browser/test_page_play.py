@@ -1,146 +1,16 @@
-"""The played voice as it is heard: every sample that leaves for the loudspeaker is read back while a hand plays.
-
-A worklet beside the loudspeaker keeps the samples (TAPE); the page's own files stay as they are.
-"""
-
-import base64
-import threading
-import time
+"""The played voice as it is heard: every sample that leaves for the loudspeaker is read back while a hand plays."""
 
 import numpy as np
 import pytest
 
 import vfcore
 from tests.browser.conftest import PHONE
+from tests.browser.played import QUANTUM, RATE, TAPE, Played, Watch
 from tests.browser.test_page_sound import pitch_hz
 
 pytestmark = pytest.mark.alone
 
-RATE = 48000
-QUANTUM = 128
 STANDS_STILL_S = 0.05
-#: Puts a tape beside the loudspeaker.
-TAPE = """
-const WORKLET = `registerProcessor("tape", class extends AudioWorkletProcessor {
-  process([[channel]]) {
-    if (channel) this.port.postMessage({ frame: currentFrame, samples: channel.slice() });
-    return true;
-  }
-})`;
-window.tapes = [];
-const connect = AudioNode.prototype.connect;
-AudioNode.prototype.connect = function (target, ...rest) {
-  if (target === this.context.destination) {
-    const tape = { frames: [], samples: [] };
-    window.tapes.push(tape);
-    const address = URL.createObjectURL(new Blob([WORKLET], { type: "text/javascript" }));
-    this.context.audioWorklet.addModule(address).then(() => {
-      const node = new AudioWorkletNode(this.context, "tape");
-      node.port.onmessage = ({ data }) => { tape.frames.push(data.frame); tape.samples.push(data.samples); };
-      connect.call(this, node);
-      connect.call(node, this.context.destination); // silent; what leads nowhere is not asked for samples
-    });
-  }
-  return connect.call(this, target, ...rest);
-};
-"""
-READ = """() => {
-  const { frames, samples } = window.tapes.at(-1);
-  const all = new Float32Array(samples.length * 128);
-  samples.forEach((block, k) => all.set(block, 128 * k));
-  const octets = new Uint8Array(all.buffer);
-  let text = "";
-  for (let k = 0; k < octets.length; k += 32768) text += String.fromCharCode(...octets.subarray(k, k + 32768));
-  return { frames, text: btoa(text) };
-}"""
-BUFFER = "async () => (await import('/state/play.js')).buffer.value"
-
-
-class Watch:
-    """Notices when the machine does not let a thread run in time: no sound can be without gaps then."""
-
-    def __enter__(self):
-        self.longest_s, self._on = 0.0, True
-        threading.Thread(target=self._look, daemon=True).start()
-        return self
-
-    def _look(self) -> None:
-        while self._on:
-            began = time.monotonic()
-            time.sleep(0.005)
-            self.longest_s = max(self.longest_s, time.monotonic() - began - 0.005)
-
-    def __exit__(self, *_):
-        self._on = False
-
-
-class Played:
-    """A visit on which the voice is played, and its tape."""
-
-    def __init__(self, here):
-        self.here, self.page = here, here.page
-
-    def start(self) -> "Played":
-        self.page.get_by_role("tab", name="Play", exact=True).click()
-        self.page.get_by_role("button", name="Play live").click()
-        return self.sounding()
-
-    def sounding(self) -> "Played":
-        self.page.locator(".play-now", has_text="Hz").wait_for(timeout=60_000)  # the first voice compiles
-        self.page.wait_for_timeout(1000)
-        return self
-
-    def at(self) -> int:
-        """How many samples the tape has now."""
-        return QUANTUM * self.page.evaluate("window.tapes.at(-1).frames.length")
-
-    def hold(self, seconds: float) -> slice:
-        """Let it sound; the part of the tape that was taken meanwhile, after what is still on its way."""
-        self.page.wait_for_timeout(300)
-        first = self.at()
-        self.page.wait_for_timeout(1000 * seconds)
-        return slice(first, self.at())
-
-    def drag(self, path: str, share: float) -> None:
-        """Take a slider's knob where it is and move it to a share of the track, as a hand does."""
-        box = self.here.slider(path).bounding_box()
-        y = box["y"] + box["height"] / 2
-        now = float(self.here.slider(path).input_value())
-        self.page.mouse.move(box["x"] + now * box["width"], y)
-        self.page.mouse.down()
-        for k in range(1, 11):
-            self.page.mouse.move(box["x"] + (now + (share - now) * k / 10) * box["width"], y)
-            self.page.wait_for_timeout(20)
-        self.page.mouse.up()
-
-    def sway(self, path: str, seconds: float, pace_ms: int = 50) -> None:
-        """Drag to and fro without a pause."""
-        box = self.here.slider(path).bounding_box()
-        y = box["y"] + box["height"] / 2
-        self.page.mouse.move(box["x"] + 0.5 * box["width"], y)
-        self.page.mouse.down()
-        until, k = time.monotonic() + seconds, 0
-        while time.monotonic() < until:
-            k += 1
-            self.page.mouse.move(box["x"] + (0.5 + 0.35 * np.sin(k / 6)) * box["width"], y)
-            self.page.wait_for_timeout(pace_ms)
-        self.page.mouse.up()
-
-    def pad(self, ct: float, ta: float) -> None:
-        """Press the pad about where these activations are."""
-        box = self.page.locator(".play-pad canvas").bounding_box()
-        self.page.mouse.click(box["x"] + (0.12 + 0.85 * ct) * box["width"], box["y"] + (0.9 - 0.8 * ta) * box["height"])
-
-    def gaps(self) -> int:
-        return self.page.evaluate(BUFFER)["gaps"]
-
-    def tape(self) -> np.ndarray:
-        answer = self.page.evaluate(READ)
-        assert np.all(np.diff(answer["frames"]) == QUANTUM), "the tape has every sample"
-        return np.frombuffer(base64.b64decode(answer["text"]), "<f4").astype(float)
-
-    def value(self, muscle: str) -> float:
-        return float(self.here.slider(f"activation.{muscle}").input_value())
 
 
 @pytest.fixture
