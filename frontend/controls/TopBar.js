@@ -1,12 +1,11 @@
 /** Name, voice, model, and the few things about the page itself. */
 import { html, useComputed } from "../ui.js";
 import { copyText } from "../copy.js";
-import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
+import { mapShown, narrow, openDialog, theme, toggleTheme } from "../state/look.js";
 import { section, setSection } from "../state/paper.js";
 import { choosePreset, chooseVariant, preset, schema, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
-import { APP, TOP, VARIANT_NAMES } from "../texts.js";
-import { KEEP } from "../texts-views.js";
+import { APP, KEEP, TOP, VARIANT_NAMES } from "../texts.js";
 import { linkOf } from "../url.js";
 import { HistoryTools } from "./HistoryTools.js";
 import { Icon } from "./Icon.js";
@@ -57,5 +56,5 @@ export function Variants() {
 }
 
 async function share() {
-  showNotice((await copyText(linkOf(schema.peek(), values.peek()))) ? TOP.shared : TOP.sharedFailed);
+  showNotice((await copyText(linkOf(schema.peek(), values.peek(), section.peek(), mapShown.peek()))) ? TOP.shared : TOP.sharedFailed);
 }

@@ -16,6 +16,16 @@ export function loadPlotly() {
   return loading;
 }
 
+/** What a Plotly figure shows as a file: SVG text or a PNG blob, on `ground`, under its heading. */
+export async function plotlyFile(element, kind, ground, heading) {
+  const { clientWidth: width, clientHeight: height } = element;
+  const figure = { data: element.data, layout: { ...element.layout, paper_bgcolor: ground, title: { text: heading, font: { size: 14 }, x: 0.02 }, margin: { ...element.layout.margin, t: 40 } } };
+  const address = await window.Plotly.toImage(figure, { format: kind, width, height, scale: kind === "png" ? 3 : 1 });
+  const content = address.slice(address.indexOf(",") + 1);
+  if (kind === "svg") return decodeURIComponent(content);
+  return new Blob([Uint8Array.from(atob(content), (sign) => sign.charCodeAt(0))], { type: "image/png" });
+}
+
 /** Traces and layout of a stack of waves on one time axis. */
 export function stackFigure(rows, timeS, axisTitle, colours) {
   const count = rows.length;

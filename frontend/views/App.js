@@ -9,6 +9,7 @@ import { mapShown, narrow, open } from "../state/look.js";
 import { section } from "../state/paper.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
+import { APP } from "../texts.js";
 import { HelpDialog } from "./HelpDialog.js";
 import { Login } from "./Login.js";
 import { Maps } from "./Maps.js";
@@ -46,7 +47,7 @@ function Desk() {
   return html`
     <div class="desk">
       <${TopBar} />
-      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} short=${true} /></aside>
+      <aside class="left card" aria-label=${APP.controls}><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} short=${true} /></aside>
       ${mapShown.value ? html`<main class="whole"><${RightColumn} /></main>` : html`<main class="centre"><${Stage} />${lesson.value ? html`<${LessonCard} />` : html`<${Maps} />`}</main><${RightColumn} />`}
       <${Strip} />
     </div>

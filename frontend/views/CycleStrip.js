@@ -6,7 +6,7 @@ import { palette, rootPx, smallFont } from "../plots/theme.js";
 import { fieldAt, isVoiced } from "../result.js";
 import { holdPhase, readout } from "../state/motion.js";
 import { rested } from "../state/rested.js";
-import { FOLDS } from "../texts-views.js";
+import { FOLDS } from "../texts.js";
 import { contactScale, pressureScale } from "./Maps.js";
 import { Picture } from "./Picture.js";
 

@@ -7,12 +7,15 @@ import { result } from "../state/outcome.js";
 import { DETAIL, WAVES } from "../texts.js";
 import { Dialog } from "./Dialog.js";
 
-const CONFIG = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
+// Named one by one: the library's own list has a button that sends the data away.
+const BUTTONS = ["toImage", "zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"];
+const CONFIG = { displaylogo: false, responsive: true, modeBarButtons: [BUTTONS] };
 
 export function Detail() {
   const place = useRef(null);
   const [note, setNote] = useState(DETAIL.loading);
   useEffect(() => {
+    const element = place.current;
     let plotly = null;
     let gone = false;
     loadPlotly().then(
@@ -21,13 +24,13 @@ export function Detail() {
         plotly = loaded;
         setNote("");
         const { traces, layout } = figureOf(result.peek(), palette.peek());
-        plotly.newPlot(place.current, traces, layout, CONFIG);
+        plotly.newPlot(element, traces, layout, CONFIG);
       },
       () => setNote(DETAIL.failed),
     );
     return () => {
       gone = true;
-      plotly?.purge(place.current);
+      plotly?.purge(element);
     };
   }, []);
   return html`<${Dialog} title=${result.peek().startS > 0 ? DETAIL.titleOfEnd : DETAIL.title} wide=${true}><p role="status">${note}</p><div class="plotly-place" ref=${place}></div><//>`;

@@ -9,8 +9,7 @@ import { TopBar, Variants } from "../controls/TopBar.js";
 import { lesson } from "../state/lessons.js";
 import { openDialog, panel, setPanel, setTab, tab } from "../state/look.js";
 import { result } from "../state/outcome.js";
-import { HEADLINES, PANELS, RUN, TABS } from "../texts.js";
-import { KEEP, LESSONS } from "../texts-views.js";
+import { HEADLINES, KEEP, LESSONS, PANELS, RUN, TABS } from "../texts.js";
 import { Headline } from "./Headline.js";
 import { Maps } from "./Maps.js";
 import { Play } from "./Play.js";
@@ -54,7 +53,7 @@ export function Phone() {
       <${TopBar} />
       <main class="phone-top">
         <${Stage} compact=${true} />
-        <div class="phone-state"><${PhonationState} /><${SoundControls} /></div>
+        <div class="phone-state"><${PhonationState} withLook=${true} /><${SoundControls} /></div>
       </main>
       ${lesson.value && html`<${LessonCard} />`}
       <${TabList} name="tab" texts=${TABS} chosen=${tab.value} choose=${setTab} />
