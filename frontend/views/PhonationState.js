@@ -15,7 +15,7 @@ export function PhonationState({ withLook = false }) {
   return html`
     <div class="phonation" data-state=${state}>
       <p class="phonation-state"><i class="state-mark" aria-hidden="true"></i>${shown ? STATES[state] : APP.waiting}</p>
-      <p class="phonation-why" title=${hint}>${hint && html`<strong>${hint}</strong> `}${lineOf(shown, withLook && preset.value?.look_for)}</p>
+      <p class="phonation-why" title=${hint}>${hint && html`<strong>${hint}</strong> `}<span key=${hint}>${lineOf(shown, withLook && preset.value?.look_for)}</span></p>
     </div>
   `;
 }
