@@ -34,7 +34,7 @@ function Presets() {
   return html`
     <label class="pick preset">
       <span>${TOP.preset}</span>
-      <select value=${chosen?.key ?? ""} title=${chosen?.look_for} onChange=${(event) => event.target.value && choosePreset(event.target.value)}>
+      <select aria-label=${TOP.preset} value=${chosen?.key ?? ""} title=${chosen?.look_for} onChange=${(event) => event.target.value && choosePreset(event.target.value)}>
         ${!chosen && html`<option value="">${TOP.own}</option>`}
         ${schema.value.presets.map(({ key, label }) => html`<option value=${key}>${label}</option>`)}
       </select>
@@ -48,7 +48,7 @@ export function Variants() {
   return html`
     <label class="pick variant">
       <span>${TOP.variant}</span>
-      <select value=${chosen} onChange=${(event) => chooseVariant(event.target.value)}>
+      <select aria-label=${TOP.variant} value=${chosen} onChange=${(event) => chooseVariant(event.target.value)}>
         ${schema.value.variants.map(({ key, help }) => html`<option value=${key} title=${help}>${VARIANT_NAMES[key] ?? key}</option>`)}
       </select>
     </label>

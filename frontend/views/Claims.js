@@ -18,7 +18,7 @@ export function Claims({ keys, compact = false }) {
             <summary><${Verdict} verdict=${outcomes.paper.verdict} /> <b>${key}</b> <span><${WithSymbols} text=${title} /></span></summary>
             ${compact && html`<p class="measured"><${WithSymbols} text=${outcomes.paper.sentence} /></p>`}
             <p><b>${PAPER.says}.</b> <${WithSymbols} text=${paper_says} /></p>
-            <p><b>${PAPER.test}.</b> <${WithSymbols} text=${definition} /></p>
+            <p><b>${PAPER.test}.</b> ${definition}</p>
           </details>
           ${!compact && html`<p class="measured"><${WithSymbols} text=${outcomes.paper.sentence} /></p>`}
         </li>

@@ -30,7 +30,12 @@ def test_axe_finds_nothing_on_a_desk(visit, scheme):
     for panel in ("Spectrum", "Folds", "A / B", "Measures", "Lessons", "Runs"):
         here.page.get_by_role("tab", name=panel).click()
         assert findings(here) == []
+    here.page.get_by_role("tab", name="Lessons").click()
+    here.page.locator(".lesson-row").first.click()
+    here.page.wait_for_selector(".lesson-card")
+    assert findings(here) == []
     here.page.locator(".headline").first.click()
+    here.page.get_by_role("dialog").wait_for()
     assert findings(here) == []
     here.page.keyboard.press("Escape")
     for further in ("Report to print", "As Python or curl"):

@@ -15,7 +15,8 @@ STATES = {"periodic": "Periodic phonation", "none": "No sustained vibration"}
 TAB = {"measures": "numbers", "waves": "waves", "voice": "waves", "folds": "waves"}
 #: What a step shows once the voice it set has answered.
 SHOWN = """async () => {
-  const [{ changedValues }, { schema, values }] = await Promise.all([import("/params.js"), import("/state/request.js")]);
+  const { changedValues } = await import("/params.js");
+  const { schema, values } = await import("/state/request.js");
   const frame = () => new Promise(requestAnimationFrame);
   while (document.body.getAttribute("aria-busy") !== "false") await frame();
   const all = (selector) => [...document.querySelectorAll(selector)];

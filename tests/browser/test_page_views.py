@@ -106,6 +106,11 @@ def test_a_and_b_side_by_side_as_difference_and_to_hear(visit, viewport):
     here.page.get_by_role("button", name="Difference").click()
     here.settle()
     assert here.picture("compare") != both
+    here.page.locator(".compare").get_by_role("button", name="Folds").click()
+    here.hold_still(100)
+    closed = here.picture("compare-folds")
+    here.hold_still(900)
+    assert here.ink("compare-folds") > 0.2 and here.picture("compare-folds") != closed, "both at the shared phase"
     here.page.get_by_role("button", name="In turn").click()
     here.page.get_by_role("button", name="Stop", exact=True).first.wait_for()
     here.page.locator(".compare-hear").get_by_role("button", name="Stop").click()
