@@ -42,7 +42,8 @@ lint: $(VENV)/.tested
 
 test-all: $(VENV)/.tested chromium
 	$(BIN)/python -m pytest -q -n 2 -m "not slow and not browser and not alone"
-	$(BIN)/python -m pytest -q -m "(browser or alone) and not slow"
+	$(BIN)/python -m pytest -q -n 2 -m "browser and not alone and not slow"
+	$(BIN)/python -m pytest -q -m "alone and not slow"
 
 # The kernels as plain Python, and with every index checked.
 test-interpreted: $(VENV)/.tested

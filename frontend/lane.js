@@ -2,15 +2,13 @@
  * A lane of requests: one in flight, the newest waiting, everything between forgotten.
  *
  * `send(job)` answers a promise; `done(answer, job)` and `failed(error, job)` are called in the order of sending.
- * `restMs` after an answer the lane leaves server and page to others before it sends again.
  */
 export class Lane {
   #waiting = null;
   #busy = false;
 
-  constructor(send, done, failed, restMs = 0) {
+  constructor(send, done, failed) {
     this.send = send;
-    this.restMs = restMs;
     this.done = done;
     this.failed = failed;
   }
@@ -30,7 +28,6 @@ export class Lane {
       } catch (error) {
         this.failed(error, job);
       }
-      if (this.restMs) await new Promise((resolve) => setTimeout(resolve, this.restMs));
     }
     this.#busy = false;
   }

@@ -1,5 +1,6 @@
 /** What the hand does goes to the server by itself: posture and voice, newest wins, and comes back on the page. */
-import { effect } from "./ui.js";
+import { effect, untracked } from "./ui.js";
+import { fetchAhead, postureAhead } from "./ahead.js";
 import { Problem } from "./api.js";
 import { afterPaint } from "./frame.js";
 import { Lane } from "./lane.js";
@@ -12,7 +13,6 @@ import { connection, setConnection } from "./state/session.js";
 
 export const LIVE_S = 0.5;
 const RETRY_MS = 1500;
-const VOICE_REST_MS = 30; // between voices, so that shapes follow the hand more closely than the voice
 
 /** Starts following the request; returns the end of it. */
 export function followRequest() {
@@ -27,12 +27,18 @@ export function followRequest() {
     }
     if (job.version === version.peek()) takeProblem(call, error, job.version);
   };
+  let shown = 0;
+  const show = (answer, job) => {
+    if (job.version < shown) return; // a newer one was at hand
+    shown = job.version;
+    takePosture(answer, job.gesture);
+    afterPaint(() => recordShown("slider to shape", job.version));
+  };
   const postures = new Lane(
     (job) => ask("posture", job.postureBody),
     (answer, job) => {
       setConnection("ready");
-      takePosture(answer, job.gesture);
-      afterPaint(() => recordShown("slider to shape", job.version));
+      show(answer, job);
     },
     failed("posture"),
   );
@@ -43,11 +49,13 @@ export function followRequest() {
       afterPaint(() => recordShown("slider to all", job.version));
     },
     failed("voice"),
-    VOICE_REST_MS,
   );
   const push = (job) => {
-    postures.push(job);
+    const ahead = postureAhead();
+    if (ahead) show(ahead, job);
+    else postures.push(job);
     voices.push(job);
+    fetchAhead();
   };
   const stop = effect(() => {
     if (!schema.value || connection.value === "login" || connection.value === "starting") return;
@@ -58,7 +66,7 @@ export function followRequest() {
       postureBody: postureRequest(schema.value, values.value),
     };
     recordInput(job.version);
-    push(job);
+    untracked(() => push(job));
   });
   return () => {
     stop();

@@ -9,7 +9,7 @@ import { version } from "./state/request.js";
 import { FLASHES_HZ, moving, phase, pointing, setPhase, slowdown, strobe } from "./state/motion.js";
 
 const HAND_MS = 300; // after its last change the hand counts as moving
-const STEP_BESIDE_HAND_MS = 50;
+const STEP_BESIDE_HAND_MS = 100;
 
 /** Starts the motion; returns the end of it. */
 export function followMotion() {

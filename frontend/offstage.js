@@ -9,6 +9,7 @@ import { LIVE_ARRAYS, makeResult } from "./result.js";
 
 const CALLS = {
   posture: async (body) => ({ answer: await postJson("posture", body), hand: [] }),
+  postures: async (body) => ({ answer: await postJson("postures", body), hand: [] }),
   voice: async (body) => {
     const answer = makeResult(await simulate(body, LIVE_ARRAYS));
     return { answer, hand: [answer.waves.flow.buffer] }; // all arrays lie in one buffer: given away, not copied

@@ -5,7 +5,7 @@ const worker = new Worker(new URL("offstage.js", import.meta.url), { type: "modu
 const waiting = new Map(); // id → {resolve, reject}
 let calls = 0;
 
-/** `name`: posture or voice. Rejects with a Problem. */
+/** `name`: posture, postures or voice. Rejects with a Problem. */
 export function ask(name, body) {
   calls += 1;
   const id = calls;

@@ -111,6 +111,10 @@ class PostureAnswer(BaseModel):
     static_shape: StaticShape
 
 
+class NeighboursAnswer(BaseModel):
+    answers: list[PostureAnswer | None] = Field(description="in the order of the values; null where there is none")
+
+
 class MeasuredValue(BaseModel):
     value: float | None
     unit: str

@@ -1,6 +1,6 @@
 """A fold in motion: the state and the loop that advances it in chunks.
 
-Chunks of about 5 ms keep progress real, cancel prompt, and a divergence close to where it starts.
+Chunks of 20 ms of voice or less keep progress real, cancel prompt, and a divergence close to where it starts.
 """
 
 import math
@@ -18,12 +18,14 @@ from vfcore.kernels.surface import surface_pressures
 from vfcore.params import DEFAULT_STEP_S
 from vfcore.statics import StaticShape
 
-CHUNK_S = 5e-3
+CHUNK_S = 20e-3
+#: Fine grids and short steps take shorter chunks: this many nodes times steps are some 10 ms of work.
+CHUNK_NODE_STEPS = 5e6
 #: A displacement beyond this is no larynx any more; also catches NaN and inf.
 LARGEST_DISPLACEMENT_M = 0.02
 FLAT_BUMP_M = 1e-9  # the start of an earlier version of the model
-#: Checkpoints kept for reading back one cycle: the last 0.25 s of the run.
-CHECKPOINTS = 50
+#: Checkpoints are kept for reading back one cycle within this time from the end of the run.
+READABLE_S = 0.25
 
 
 class March:
@@ -46,7 +48,9 @@ class March:
         self.steps = 0
         self.air = airways.new_buffer(pressure_pa) if airways else None
         self._advance = step_kernel(fold.nx, fold.ny, fold.rotation)
-        self._checkpoints: deque[tuple[int, np.ndarray, np.ndarray | None]] = deque(maxlen=CHECKPOINTS)
+        self._per_chunk = samples_per_chunk(fold, time_step_s)
+        kept = math.ceil(READABLE_S / (self._per_chunk * self.record_every * time_step_s))
+        self._checkpoints: deque[tuple[int, np.ndarray, np.ndarray | None]] = deque(maxlen=kept)
 
     def start_flat(self) -> None:
         """w = 1 nm · sin(πx/L) sin(πy/b), everything else at rest."""
@@ -76,11 +80,10 @@ class March:
         Raises Cancelled when ``stop()`` is true between chunks, DivergenceError when the fold leaves all bounds.
         """
         record = np.empty((samples, len(RECORD)))
-        per_chunk = max(1, round(CHUNK_S / (self.time_step_s * self.record_every)))
-        for begin in range(0, samples, per_chunk):
+        for begin in range(0, samples, self._per_chunk):
             if stop is not None and stop():
                 raise Cancelled("the run was stopped")
-            end = min(begin + per_chunk, samples)
+            end = min(begin + self._per_chunk, samples)
             self._chunk(record[begin:end])
             if progress is not None:
                 progress(end / samples)
@@ -160,6 +163,12 @@ def _copied(air: np.ndarray | None) -> np.ndarray | None:
 def record_every(time_step_s: float) -> int:
     """Steps per recorded sample, so that the record comes at about 35 kHz for any step."""
     return max(1, math.floor(DEFAULT_STEP_S / time_step_s + 1e-9))
+
+
+def samples_per_chunk(fold: assemble.Fold, time_step_s: float) -> int:
+    """Recorded samples between two looks at progress, stop and divergence."""
+    steps = min(CHUNK_S / time_step_s, CHUNK_NODE_STEPS / (fold.nx * fold.ny))
+    return max(1, round(steps / record_every(time_step_s)))
 
 
 def flat_bump(fold: assemble.Fold) -> np.ndarray:

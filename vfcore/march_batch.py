@@ -15,7 +15,7 @@ from vfcore import assemble
 from vfcore.errors import Cancelled, DivergenceError
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import LANES, RECORD, SCALARS, Layout
-from vfcore.march import CHUNK_S, LARGEST_DISPLACEMENT_M, diverged, flat_bump, record_every
+from vfcore.march import LARGEST_DISPLACEMENT_M, diverged, flat_bump, record_every, samples_per_chunk
 from vfcore.statics import StaticShape
 
 
@@ -52,8 +52,8 @@ def march_many(
 ) -> Iterator[tuple[int, Outcome]]:
     """March all and yield (index, outcome) as batches finish; a batch is marched when its first outcome is asked for.
 
-    ``progress(fraction)`` of all steps is told, and ``stop()`` asked, between chunks of about 5 ms of voice; Cancelled
-    is raised when it answers true. The step holds no GIL: several threads may march at a time.
+    ``progress(fraction)`` of all steps is told, and ``stop()`` asked, between chunks of 20 ms of voice or less;
+    Cancelled is raised when it answers true. The step holds no GIL: several threads may march at a time.
     """
     precision = "float32" if single_precision else "float64"
     alike: dict[tuple, list[int]] = defaultdict(list)
@@ -111,7 +111,7 @@ class _Batch:
     ) -> np.ndarray:
         """Records (len(motions), 5, samples), float64; a fold in ``problems`` has none."""
         records = np.empty((len(self.motions), len(RECORD), samples))
-        per_chunk = max(1, round(CHUNK_S / (self.time_step_s * self.record_every)))
+        per_chunk = samples_per_chunk(self.motions[0].fold, self.time_step_s)
         for begin in range(0, samples, per_chunk):
             if stop is not None and stop():
                 raise Cancelled("the run was stopped")

@@ -1,4 +1,5 @@
 /** One number as a slider: name, typed value, track with its default marked, and one line of help or refusal. */
+import { reachFor } from "../ahead.js";
 import { html, useComputed, useEffect, useRef } from "../ui.js";
 import { numberText } from "../plots/axis.js";
 import { problems } from "../state/outcome.js";
@@ -32,7 +33,7 @@ export function Slider({ path, colour, role = "", also }) {
   };
 
   return html`
-    <div class="control" style=${colour ? { "--own": `var(${colour})` } : undefined}>
+    <div class="control" style=${colour ? { "--own": `var(${colour})` } : undefined} onPointerEnter=${() => reachFor(path)} onFocusIn=${() => reachFor(path)}>
       <div class="control-head">
         <label for=${id}>
           <span class="control-name">${row.name}</span>

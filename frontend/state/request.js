@@ -36,9 +36,12 @@ export function begin(newSchema, catalogueRows, changes) {
 let lastPath = "";
 let lastChange = 0;
 
+/** The paths that a control sets: its own, and the one tied to it. */
+export const movedTogether = (path) => (_tied.peek() && TIED[path] ? [path, TIED[path]] : [path]);
+
 export function setValue(path, value) {
-  const other = _tied.value ? TIED[path] : undefined;
-  change({ ..._values.value, [path]: value, ...(other && { [other]: value }) }, path);
+  const moved = Object.fromEntries(movedTogether(path).map((tied) => [tied, value]));
+  change({ ..._values.value, ...moved }, path);
 }
 
 export function resetValue(path) {

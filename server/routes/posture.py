@@ -1,13 +1,15 @@
-"""POST /posture: from muscles to posture, coefficients and static shape, while the hand still moves."""
+"""POST /posture and /postures: from muscles to posture, coefficients and static shape, while the hand still moves."""
 
 from typing import Any
 
 from fastapi import APIRouter, Request
 from fastapi.responses import JSONResponse
 
+from vfcore.batch import static_shapes
 from vfcore.document import posture_document
-from vfcore.simulate import prepare
+from vfcore.simulate import Prepared, prepare
 from vocalis_server import schemas
+from vocalis_server.neighbours import NeighboursBody, requests_of
 from vocalis_server.openapi import problems
 from vocalis_server.request_schema import PostureBody, simulation_of
 from vocalis_server.services import Shared
@@ -22,6 +24,23 @@ async def posture(body: PostureBody, request: Request, shared: Shared) -> JSONRe
 
     def solve() -> dict[str, Any]:
         return posture_document(prepare(wanted))
+
+    await shared.kernels.for_postures()
+    return JSONResponse(await shared.postures.run(solve, request.is_disconnected))
+
+
+@router.post("/postures", responses={200: {"model": schemas.NeighboursAnswer}} | problems(415, 422, 429, 503))
+async def postures(body: NeighboursBody, request: Request, shared: Shared) -> JSONResponse:
+    """The answers of /posture for several values of one number, in their order.
+
+    Null stands where the model has no answer; /posture says why. The page asks for the neighbours of a value before
+    the hand gets there.
+    """
+    wanted = requests_of(body)
+
+    def solve() -> dict[str, Any]:
+        shapes = static_shapes(wanted)
+        return {"answers": [posture_document(shape) if isinstance(shape, Prepared) else None for shape in shapes]}
 
     await shared.kernels.for_postures()
     return JSONResponse(await shared.postures.run(solve, request.is_disconnected))

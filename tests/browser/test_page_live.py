@@ -28,6 +28,25 @@ def test_one_movement_changes_posture_pictures_numbers_and_address(visit):
     here.page.wait_for_url(re.compile(r"activation\.ct=0\.6"))
 
 
+def test_the_shapes_beside_the_hand_are_there_before_it_moves(visit):
+    here = visit()
+    asked = []
+    here.page.on("request", lambda request: asked.append(request.url.rpartition("/")[2]))
+    with here.page.expect_response(lambda response: response.url.endswith("/postures")):
+        here.slider("activation.ta").hover()
+    here.page.wait_for_load_state("networkidle")
+    here.slider("activation.ta").focus()
+    for value in (0.41, 0.42, 0.43):
+        here.page.keyboard.press("ArrowRight")
+        here.settle()
+        reply = here.page.request.post(f"{here.address}/api/v1/posture", data={"activation": {"ta": value}})
+        strain = f"{reply.json()['posture']['strain']:.3f}".replace("-", "−")
+        assert here.page.locator(".posture-line dd").first.inner_text() == strain
+    assert "postures" in asked and "posture" not in asked
+    here.set("activation.ta", 1)
+    assert "posture" in asked, "farther than it looks ahead, the hand asks"
+
+
 def test_the_address_is_the_voice(visit):
     here = visit("?activation.ta=0.1&activation.ct=1&vowel=i")
     assert here.typed("Thyroarytenoid (TA)").input_value() == "0.10"

@@ -62,6 +62,18 @@ def test_posture_answers_what_the_core_finds(client):
     np.testing.assert_array_equal(shape["medial_inferior_m"], ready.static.medial_m[-1])
 
 
+@pytest.mark.parametrize(
+    "parameter, muscles", [("activation.ct", ["ct"]), (["activation.lca", "activation.ia"], ["lca", "ia"])]
+)
+def test_postures_are_the_answers_of_posture_one_by_one(client, parameter, muscles):
+    values = [0.9, 0.31, 0.3]
+    base = {"kind": "simulation", "activation": {"ta": 0.2}, "convergence_angle_rad": 0.05}
+    answers = client.post("/postures", json={"base": base, "parameter": parameter, "values": values}).json()["answers"]
+    for value, answer in zip(values, answers, strict=True):
+        activation = {"ta": 0.2} | dict.fromkeys(muscles, value)
+        assert answer == client.post("/posture", json=base | {"activation": activation}).json()
+
+
 def test_a_posture_given_directly_skips_the_muscles(client):
     answer = client.post("/posture", json={"posture": {"strain": 0.2, "glottal_half_angle_rad": 0.004}}).json()
     assert answer["posture"]["strain"] == 0.2

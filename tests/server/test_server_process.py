@@ -18,11 +18,11 @@ from tests.server.live_server import LONG, events, run, wait_until
 
 
 @contextmanager
-def started(*options: str):
+def started(*options: str, **environment: str):
     """A server process and the lines it has printed so far."""
     process = subprocess.Popen(
         [sys.executable, "-m", "vocalis_server", "--port", "0", *options],
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        env=os.environ | environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
     )  # fmt: skip
     lines: list[str] = []
     reader = Thread(target=lambda: lines.extend(process.stdout))
@@ -42,8 +42,8 @@ def address(lines: list[str]) -> str:
 
 @pytest.mark.alone
 @pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM])
-def test_it_says_once_where_it_is_and_stops_within_two_seconds_with_work_and_streams_open(stop):
-    with started() as (process, lines):
+def test_it_says_once_where_it_is_and_stops_within_two_seconds_with_work_and_streams_open(stop, tmp_path):
+    with started(VOCALIS_JOBS_DIRECTORY=str(tmp_path)) as (process, lines):
         with httpx.Client(base_url=f"{address(lines)}/api/v1", timeout=60) as client:
             wait_until(lambda: client.get("/health").json()["ready"], 120)
             job = run(client, LONG)

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.server.live_server import LONG, SHORT, finish, run, serving
+from vfcore.batch import static_shapes
 from vfcore.errors import PostureError
 
 JSON = {"Content-Type": "application/json"}
@@ -85,6 +86,32 @@ def test_what_is_not_there_and_what_cannot_be_done_are_problems_too(client):
 def test_posture_takes_no_run(client):
     errors = problem(client.post("/posture", json={"run": {"nx": 30}}), 422)["errors"]
     assert errors[0]["path"] == "run"
+
+
+@pytest.mark.parametrize(
+    "body, path",
+    [
+        ({"parameter": "run.nx", "values": [10]}, "parameter"),
+        ({"parameter": "activation.ct", "values": [0.1, 2]}, "values.1"),
+        ({"parameter": "activation.ct", "values": [0.1] * 33}, "values"),
+        ({"parameter": [], "values": [0.1]}, "parameter"),
+        ({"parameter": "activation.ct", "values": [0.1], "base": {"activation": {"ta": 2}}}, "base.activation.ta"),
+        ({"parameter": "activation.ct"}, "values"),
+    ],
+)
+def test_a_row_of_postures_names_what_it_cannot_use(client, body, path):
+    errors = problem(client.post("/postures", json=body), 422)["errors"]
+    assert path in [error["path"].removesuffix(".str").removesuffix(".list[str]") for error in errors]
+
+
+def test_a_larynx_without_posture_leaves_a_gap_in_its_row(client, monkeypatch):
+    body = {"parameter": "constants.sigma_1_ta_pa", "values": [1e3, 2e3]}
+    good = client.post("/postures", json=body).json()["answers"]
+    monkeypatch.setattr(
+        "vocalis_server.routes.posture.static_shapes",
+        lambda wanted: [PostureError("No posture was found."), *static_shapes(wanted[1:])],
+    )
+    assert client.post("/postures", json=body).json()["answers"] == [None, good[1]]
 
 
 def test_a_step_too_long_for_the_grid_is_refused_before_it_runs(client):
