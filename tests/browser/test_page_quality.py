@@ -79,6 +79,7 @@ PAINTED = """(name) => {
 }"""
 
 
+@pytest.mark.alone
 @SIZES
 def test_the_first_view_comes_at_once(chromium, server, viewport, capsys):
     """As a stranger, nothing kept by the browser. Prints the better of two; the bound is for a machine that is busy."""
@@ -102,6 +103,7 @@ def test_the_first_view_comes_at_once(chromium, server, viewport, capsys):
 OPEN = {"desk": ["panel-voice", "panel-folds"], "phone": ["tab-muscles"]}
 
 
+@pytest.mark.alone
 @pytest.mark.parametrize("size", OPEN)
 def test_a_drag_leaves_room_in_every_frame(visit, chromium, size, capsys):
     """Prints the scripting of a frame; the bound is on the middle one, for machines that do other things besides."""

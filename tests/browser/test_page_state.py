@@ -1,6 +1,6 @@
 """Views are functions of the state: whichever way it came, however often they are put up and taken down."""
 
-from tests.browser.visit import Visit
+from tests.browser.visit import FRAMES, Visit
 
 #: Every figure on the page as its painter draws it now, from the state alone: {name: SVG}.
 FIGURES = """async () => {
@@ -11,6 +11,7 @@ COUNTS = """async () => {
   const { figures } = await import("/plots/figures.js");
   return [figures.value.length, document.querySelectorAll("*").length];
 }"""
+MOVE = "e => { e.value = 0.7; e.dispatchEvent(new Event('input', { bubbles: true })); }"
 PANELS = ("waves", "voice", "folds", "compare", "measures")
 
 
@@ -58,8 +59,9 @@ def test_what_is_taken_down_leaves_nothing_behind(visit):
     asked = []
     here.page.on("request", lambda request: asked.append(request.url))
     here.page.evaluate("dispatchEvent(new PageTransitionEvent('pagehide', { persisted: false }))")
+    here.page.evaluate(FRAMES, 3)  # what was to be painted already
     still = here.picture("stage")
-    here.slider("activation.ct").fill("0.7")
+    here.slider("activation.ct").evaluate(MOVE)
     here.page.keyboard.press("?")
     here.page.wait_for_timeout(300)
     assert asked == [] and here.picture("stage") == still, "a page that is left asks and moves no more"
