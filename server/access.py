@@ -82,7 +82,7 @@ def access_for(host: str, token: str | None, allowed_hosts: Iterable[str] = (), 
     return Access(token or secrets.token_urlsafe(24), frozenset(names), True, secure)
 
 
-def client_of(connection: HTTPConnection) -> str:
+async def client_of(connection: HTTPConnection) -> str:
     """The name of the client a request belongs to; see the module."""
     shown = bearer(connection)
     if shown is not None:

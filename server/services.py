@@ -111,8 +111,8 @@ def _limits(settings: Settings) -> Limits:
     return Limits(settings.jobs_kept, settings.keep_days, settings.stored_bytes, settings.points_kept)
 
 
-def services(connection: HTTPConnection) -> Services:
-    """Dependency: the services of this application."""
+async def services(connection: HTTPConnection) -> Services:
+    """Dependency: the services of this application; async, for others are called in a thread."""
     return connection.app.state.services
 
 

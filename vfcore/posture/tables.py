@@ -79,6 +79,8 @@ class PosturingConstants(JointConstants):
 
         Raises ParameterError("constants.<name>", ...) for an unknown name or a value out of range.
         """
+        if not values:
+            return self
         changes: dict[str | None, dict[str, float]] = {}
         for name, value in values.items():
             if name not in _PLACES:
