@@ -26,8 +26,8 @@ export async function plotlyFile(element, kind, ground, heading) {
   return new Blob([Uint8Array.from(atob(content), (sign) => sign.charCodeAt(0))], { type: "image/png" });
 }
 
-/** Traces and layout of a stack of waves on one time axis. */
-export function stackFigure(rows, timeS, axisTitle, colours) {
+/** Traces and layout of a stack of waves on one time axis. `narrow`: the buttons need a line of their own. */
+export function stackFigure(rows, timeS, axisTitle, colours, narrow) {
   const count = rows.length;
   const family = getComputedStyle(document.documentElement).getPropertyValue("--font");
   const font = { family, size: 13, color: colours.ink };
@@ -36,7 +36,7 @@ export function stackFigure(rows, timeS, axisTitle, colours) {
     paper_bgcolor: "rgba(0,0,0,0)",
     plot_bgcolor: "rgba(0,0,0,0)",
     font,
-    margin: { l: 64, r: 16, t: 34, b: 44 },
+    margin: { l: 64, r: 16, t: narrow ? 64 : 34, b: 44 },
     modebar: { bgcolor: "rgba(0,0,0,0)", color: colours.inkSoft, activecolor: colours.accent },
     annotations: [],
     showlegend: false,

@@ -3,6 +3,7 @@ import { html, useEffect, useRef, useState } from "../ui.js";
 import { loadPlotly, stackFigure } from "../plots/plotly.js";
 import { palette } from "../plots/theme.js";
 import { ROWS, slope } from "../plots/waves.js";
+import { narrow } from "../state/look.js";
 import { result } from "../state/outcome.js";
 import { DETAIL, WAVES } from "../texts.js";
 import { Dialog } from "./Dialog.js";
@@ -43,5 +44,5 @@ function figureOf(shown, colours) {
     const wave = row.key === "slope" ? slope(shown.waves.flow, 0, samples - 1, shown.rate) : shown.waves[row.key];
     return { label: WAVES[row.key], unit: row.unit, colour: colours[row.key], values: wave.map((v) => v * row.factor) };
   });
-  return stackFigure(rows, times, DETAIL.time, colours);
+  return stackFigure(rows, times, DETAIL.time, colours, narrow.peek());
 }

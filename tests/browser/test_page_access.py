@@ -89,6 +89,25 @@ def test_one_screen_holds_the_desk_without_scrolling(visit):
     assert [size for size in sizes if size[1] > 1 or size[2] > 1] == []
 
 
+#: Whether what to look for lies wholly inside the bar.
+INSIDE = """() => {
+  const [bar, line] = [".top", ".look-for"].map((name) => document.querySelector(name).getBoundingClientRect());
+  return line.height > 0 && line.top >= bar.top && line.bottom <= bar.bottom;
+}"""
+
+
+def test_the_sentence_of_every_preset_is_whole_on_every_desk(visit):
+    here = visit()
+    presets = here.page.locator(".preset option").evaluate_all("all => all.map((option) => option.value)")
+    assert len(presets) == 8
+    for width, height in ((1440, 900), (1100, 700)):
+        here.page.set_viewport_size({"width": width, "height": height})
+        for preset in presets:
+            here.page.locator(".preset select").select_option(preset)
+            assert here.page.evaluate(INSIDE), (preset, width)
+    here.settle()
+
+
 def test_the_stage_stays_on_top_of_a_phone(visit):
     here = visit(viewport=PHONE, has_touch=True)
     here.page.mouse.wheel(0, 600)
