@@ -13,12 +13,12 @@ INDEX = json.loads((LESSONS / "index.json").read_text(encoding="utf-8"))
 STATES = {"periodic": "Periodic phonation", "none": "No sustained vibration"}
 #: On a phone the tab a panel stands under.
 TAB = {"measures": "numbers", "waves": "waves", "voice": "waves", "folds": "waves"}
-#: What a step shows once the voice it set has answered.
-SHOWN = """async () => {
+#: What a step shows; with ``answered``, once the voice it set has answered.
+SHOWN = """async (answered) => {
   const { changedValues } = await import("/params.js");
   const { schema, values } = await import("/state/request.js");
   const frame = () => new Promise(requestAnimationFrame);
-  while (document.body.getAttribute("aria-busy") !== "false") await frame();
+  while (answered && document.body.getAttribute("aria-busy") !== "false") await frame();
   const all = (selector) => [...document.querySelectorAll(selector)];
   while (!all("#panel-content > *, #tab-content > *").length) await frame();
   return {
@@ -39,6 +39,7 @@ def number(text: str) -> float:
 
 @pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
 def test_the_eight_lessons_show_what_they_speak_of(visit, viewport):
+    """What the voices do is the same at both sizes and is waited for on the desk."""
     here = visit(viewport=viewport)
     here.page.locator("#tab-more" if viewport is PHONE else "#panel-lessons").click()
     defaults = {row["key"]: row["default"] for row in here.api("parameters")["parameters"]}
@@ -49,7 +50,7 @@ def test_the_eight_lessons_show_what_they_speak_of(visit, viewport):
         for k, step in enumerate(lesson["steps"]):
             where = f"{lesson['key']}, step {k}"
             here.page.wait_for_selector(f".lesson-card[data-lesson={lesson['key']}][data-step='{k}']")
-            seen = here.page.evaluate(SHOWN)
+            seen = here.page.evaluate(SHOWN, viewport is DESK)
             assert seen["set"] == {path: value for path, value in step["set"].items() if value != defaults[path]}, where
             assert step["say"] in seen["words"] and step["see"] in seen["words"], where
             assert not seen["cut"] and seen["inView"], f"{where}: all of it can be read"
@@ -58,7 +59,7 @@ def test_the_eight_lessons_show_what_they_speak_of(visit, viewport):
             assert wanted in seen["chosen"], where
             if viewport is PHONE and TAB[panel] == "waves":
                 assert f"panel-{panel}" in seen["chosen"], where
-            for claim in step["expect"]:
+            for claim in step["expect"] if viewport is DESK else ():
                 if "state" in claim:
                     assert seen["state"] == STATES[claim["state"]], where
                 if "measure" in claim:
