@@ -13,23 +13,33 @@ INDEX = json.loads((LESSONS / "index.json").read_text(encoding="utf-8"))
 STATES = {"periodic": "Periodic phonation", "none": "No sustained vibration"}
 #: On a phone the tab a panel stands under.
 TAB = {"measures": "numbers", "waves": "waves", "voice": "waves", "folds": "waves"}
-#: What a step shows; with ``answered``, once the voice it set has answered.
-SHOWN = """async (answered) => {
+#: Walks a lesson of `steps` steps by its own button: what each shows; if `answered`, once its voice has answered.
+WALK = """async ([key, steps, answered]) => {
   const { changedValues } = await import("/params.js");
   const { schema, values } = await import("/state/request.js");
-  const frame = () => new Promise(requestAnimationFrame);
-  while (answered && document.body.getAttribute("aria-busy") !== "false") await frame();
   const all = (selector) => [...document.querySelectorAll(selector)];
-  while (!all("#panel-content > *, #tab-content > *").length) await frame();
-  return {
-    set: changedValues(schema.value, values.value),
-    state: document.querySelector(".phonation-state").textContent,
-    cut: all(".lesson-words, .lesson-card").some((e) => e.scrollHeight > e.clientHeight + 1),
-    inView: document.querySelector(".lesson-actions").getBoundingClientRect().bottom <= innerHeight,
-    words: document.querySelector(".lesson-words").textContent,
-    numbers: Object.fromEntries(all(".lesson-numbers > div").map((e) => [e.dataset.measure, e.lastChild.textContent])),
-    chosen: all("[role=tab][aria-selected=true]").map((e) => e.id),
-  };
+  const until = async (holds) => { while (!holds()) await new Promise(requestAnimationFrame); };
+  const seen = [];
+  for (let k = 0; k < steps; k++) {
+    await until(() => all(`.lesson-card[data-lesson=${key}][data-step="${k}"]`).length);
+    await until(() => !answered || document.body.getAttribute("aria-busy") === "false");
+    await until(() => all("#panel-content > *, #tab-content > *").length);
+    const actions = document.querySelector(".lesson-actions");
+    seen.push({
+      set: changedValues(schema.value, values.value),
+      state: document.querySelector(".phonation-state").textContent,
+      cut: all(".lesson-words, .lesson-card").some((e) => e.scrollHeight > e.clientHeight + 1),
+      inView: actions.getBoundingClientRect().bottom <= innerHeight,
+      words: document.querySelector(".lesson-words").textContent,
+      numbers: Object.fromEntries(
+        all(".lesson-numbers > div").map((e) => [e.dataset.measure, e.lastChild.textContent])),
+      chosen: all("[role=tab][aria-selected=true]").map((e) => e.id),
+      button: actions.querySelector(".primary").textContent,
+    });
+    actions.querySelector(".primary").click();
+  }
+  await until(() => !all(".lesson-card").length);
+  return seen;
 }"""
 
 
@@ -47,11 +57,11 @@ def test_the_eight_lessons_show_what_they_speak_of(visit, viewport):
     for entry in INDEX:
         lesson = json.loads((LESSONS / f"{entry['key']}.json").read_text(encoding="utf-8"))
         here.page.locator(".lesson-row", has_text=lesson["title"]).click()
-        for k, step in enumerate(lesson["steps"]):
+        walked = here.page.evaluate(WALK, [lesson["key"], len(lesson["steps"]), viewport is DESK])
+        assert [seen["button"] for seen in walked] == ["Next"] * (len(walked) - 1) + ["Finish"]
+        for k, (step, seen) in enumerate(zip(lesson["steps"], walked, strict=True)):
             where = f"{lesson['key']}, step {k}"
-            here.page.wait_for_selector(f".lesson-card[data-lesson={lesson['key']}][data-step='{k}']")
-            seen = here.page.evaluate(SHOWN, viewport is DESK)
-            assert seen["set"] == {path: value for path, value in step["set"].items() if value != defaults[path]}, where
+            assert seen["set"] == {path: v for path, v in step["set"].items() if v != defaults[path]}, where
             assert step["say"] in seen["words"] and step["see"] in seen["words"], where
             assert not seen["cut"] and seen["inView"], f"{where}: all of it can be read"
             panel = step["look"]["panel"]
@@ -67,7 +77,4 @@ def test_the_eight_lessons_show_what_they_speak_of(visit, viewport):
                     margin = 0.005 * abs(value)  # what is shown is rounded
                     assert value + margin > claim.get("above", -1e99), where
                     assert value - margin < claim.get("below", 1e99), where
-            last = k == len(lesson["steps"]) - 1
-            here.page.get_by_role("button", name="Finish" if last else "Next").click()
-        here.page.wait_for_selector(".lesson-card", state="detached")
     assert here.page.locator(".lesson-row").count() == 8, "back at the list"
