@@ -168,6 +168,12 @@ def beams(buffer: np.ndarray, layout: Layout, name: str = "w_b") -> np.ndarray:
     return _line(buffer, layout, name)[layout.anterior : layout.anterior + layout.nx]
 
 
+def beyond(buffer: np.ndarray, layout: Layout) -> np.ndarray:
+    """A view (lanes,) of what the last steps saw: not 0 where a displacement was beyond all bounds."""
+    start = layout.line("beyond")
+    return buffer[start : start + layout.lanes]
+
+
 def membrane(buffer: np.ndarray, fold: Fold, name: str = "w") -> np.ndarray:
     """A view (ny, nx) of a field of a buffer of one fold, ends included."""
     return membranes(buffer, Layout(fold.nx, fold.ny), name)[:, :, 0]

@@ -1,6 +1,6 @@
 """A fold in motion: the state and the loop that advances it in chunks.
 
-Chunks of 20 ms of voice or less keep progress real, cancel prompt, and a divergence close to where it starts.
+Chunks of 20 ms of voice or less keep progress real and cancel prompt.
 """
 
 import math
@@ -12,8 +12,8 @@ import numpy as np
 from vfcore import assemble
 from vfcore.acoustics.airways import Airways
 from vfcore.errors import Cancelled, DivergenceError
-from vfcore.kernels.fold import step_kernel
-from vfcore.kernels.layout import RECORD
+from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M, step_kernel
+from vfcore.kernels.layout import RECORD, Layout
 from vfcore.kernels.surface import surface_pressures
 from vfcore.params import DEFAULT_STEP_S
 from vfcore.statics import StaticShape
@@ -21,8 +21,6 @@ from vfcore.statics import StaticShape
 CHUNK_S = 20e-3
 #: Fine grids and short steps take shorter chunks: this many nodes times steps are some 10 ms of work.
 CHUNK_NODE_STEPS = 5e6
-#: A displacement beyond this is no larynx any more; also catches NaN and inf.
-LARGEST_DISPLACEMENT_M = 0.02
 FLAT_BUMP_M = 1e-9  # the start of an earlier version of the model
 #: Checkpoints are kept for reading back one cycle within this time from the end of the run.
 READABLE_S = 0.25
@@ -43,7 +41,7 @@ class March:
         self.pressure_pa, self.rise_s = pressure_pa, rise_s
         self.record_every = record_every(time_step_s)
         self.buffer = assemble.new_buffer(fold, time_step_s)
-        self._w = assemble.membrane(self.buffer, fold)
+        self._beyond = assemble.beyond(self.buffer, Layout(fold.nx, fold.ny))
         self.scalars = assemble.scalars(fold, time_step_s)
         self.steps = 0
         self.air = airways.new_buffer(pressure_pa) if airways else None
@@ -96,8 +94,7 @@ class March:
         pressure = self.pressure_at(steps)
         self._advance(self.buffer, self.scalars, pressure, self.record_every, record.reshape(-1), self.air)
         self.steps += len(steps)
-        w = self._w
-        if not (w.max() < LARGEST_DISPLACEMENT_M and w.min() > -LARGEST_DISPLACEMENT_M):  # false for NaN
+        if self._beyond.any():
             self._locate_divergence(before.copy(), _copied(air), steps)
 
     def _locate_divergence(self, buffer: np.ndarray, air: np.ndarray | None, steps: np.ndarray) -> None:

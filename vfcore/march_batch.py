@@ -13,9 +13,9 @@ import numpy as np
 
 from vfcore import assemble
 from vfcore.errors import Cancelled, DivergenceError
-from vfcore.kernels.fold import step_kernel
+from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M, step_kernel
 from vfcore.kernels.layout import LANES, RECORD, SCALARS, Layout
-from vfcore.march import LARGEST_DISPLACEMENT_M, diverged, flat_bump, record_every, samples_per_chunk
+from vfcore.march import diverged, flat_bump, record_every, samples_per_chunk
 from vfcore.statics import StaticShape
 
 
@@ -130,7 +130,7 @@ class _Batch:
         steps = np.arange(first, first + samples * self.record_every)
         chunk = np.empty((samples, len(RECORD), self.folds), self.buffer.dtype)
         self._step(self.buffer, steps, self.record_every, chunk)
-        beyond = self._beyond(self.buffer).any(axis=(0, 1))
+        beyond = assemble.beyond(self.buffer, self.layout)
         fresh = [place for place, problem in enumerate(self.problems) if problem is None and beyond[place]]
         if fresh:
             self._locate(fresh, before, steps)

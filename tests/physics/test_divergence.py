@@ -10,7 +10,8 @@ import vfcore
 from tests.support.fold_harness import MODAL, advance, product_and_twin
 from vfcore.assemble import membrane
 from vfcore.errors import DivergenceError, VocalisError
-from vfcore.march import LARGEST_DISPLACEMENT_M, March
+from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M
+from vfcore.march import March
 from vfcore.params import Run, Simulation
 from vfcore.stability import SAFETY, longest_stable_step_s
 

@@ -30,6 +30,7 @@ from vfcore.kernels.layout import LANES, RECORD, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
 gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
+size = flow.size
 cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, flow.slice_flux, flow.pressure
 tension, coupling = membrane.tension, membrane.coupling
 shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
@@ -38,6 +39,10 @@ DROP, FLOW, INLET, OUTLET, SMALLEST_DROP_PA = (
     airways.DROP, airways.FLOW, airways.INLET, airways.OUTLET, airways.SMALLEST_DROP_PA,
 )  # fmt: skip
 COLUMNS = len(RECORD)
+#: A displacement beyond this is no larynx any more; NaN and inf count as beyond.
+LARGEST_DISPLACEMENT_M = 0.02
+#: Recorded samples, 5 ms, between two looks at the largest displacement.
+LOOK_SAMPLES = 175
 
 
 @lru_cache(maxsize=32)
@@ -47,7 +52,8 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     Of one fold, whose columns are the lanes, or of ``many``: LANES[precision] folds, one in each lane. With n of them:
     ``buf`` (Layout.size,); ``par`` (n·len(SCALARS),) layout.SCALARS, n neighbours each; ``P_s`` (n·steps,) lung
     pressure at each step, Pa; ``record`` (n·7·(steps//record_every),) layout.RECORD at the state before the step, n
-    neighbours each. All flat, of the same precision.
+    neighbours each. All flat, of the same precision. On return the first n numbers of the line ``beyond`` are 1 where a
+    displacement was beyond LARGEST_DISPLACEMENT_M at a look (every LOOK_SAMPLES and at the last step), else 0.
     ``air``: buffer of the airways (kernels/airways.py), for two-way coupling of one fold in double precision; the loop
     is compiled apart for it and sweeps the columns twice, first for their flow. Not validated against measurements;
     verified in tests/physics.
@@ -62,7 +68,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     R, M, I = L.row_numbers("reciprocal"), L.row_numbers("running_min"), L.row_numbers("viscous")
     WB, VB, VBS, FB = L.line("w_b"), L.line("v_b"), L.line("v_star_b"), L.line("beam_force")
     LOAD, INV, WIDTH, COLUMN = L.line("beam_load"), L.line("inverse_density"), L.line("width"), L.line("column")
-    BI, WORKED = L.beam_inverse, L.worked
+    BI, WORKED, BEYOND = L.beam_inverse, L.worked, L.line("beyond")
 
     @jit
     def advance(buf, par, P_s_of, record_every, record, air=None):
@@ -74,6 +80,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
         G_m, eta_m = each(par, 15, P, W), each(par, 16, P, W)
         half_dy, per_dy, four_per_dt2 = 0.5 * dy, 1.0 / dy, 4.0 / (dt * dt)
         zero, far = spread(0.0, buf, W), spread(1.0, buf, W)
+        beyond, look_every = zero, LOOK_SAMPLES * record_every
 
         for n in range(P_s_of.size // P):
             P_s = each(P_s_of, n, P, W)
@@ -218,5 +225,11 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                 store(buf, VB + i, new)
                 store(buf, VBS + i, new + 0.5 * dv)
                 store(buf, WB + i, w_b + dt * new)
+
+            if (n + 1) % look_every == 0 or n + 1 == P_s_of.size // P:
+                for j in range(ny):
+                    for i in range(C1, END, W):
+                        beyond = where(size(load(buf, WM + j * S + i, W)) < LARGEST_DISPLACEMENT_M, beyond, 1.0)
+        store(buf, BEYOND, beyond)
 
     return advance

@@ -87,7 +87,8 @@ class Layout:
 FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star", "G")
 STATE_FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star")
 # State of the beam. Scratch: its load. Fixed: load of the end moments, 1/ρ_s, width of the slice, number of the column.
-LINES = ("w_b", "v_b", "v_star_b", "beam_force", "beam_load", "inverse_density", "width", "column")
+# What the last steps saw: displacements beyond all bounds.
+LINES = ("w_b", "v_b", "v_star_b", "beam_force", "beam_load", "inverse_density", "width", "column", "beyond")
 # Fixed: coupling stiffness, weight of a row (½ at the edges) and its inverse.
 # Scratch of the columns at hand: 1/d_g, min d_g from the inlet, viscous integral.
 ROW_NUMBERS = ("K_coup", "weight", "per_weight", "reciprocal", "running_min", "viscous")
