@@ -1,5 +1,6 @@
 /** Calls to the server. Every refusal becomes a `Problem` that says what the server said. */
 import { decodeResult } from "./octets.js";
+import { API } from "./texts.js";
 
 const BASE = new URL("api/v1/", import.meta.url);
 
@@ -30,7 +31,7 @@ export async function call(path, { method = "GET", body, accept = "application/j
     });
   } catch (error) {
     if (error.name === "AbortError") throw error;
-    throw new Problem(0, "No answer", "The server does not answer.");
+    throw new Problem(0, API.noAnswer, API.silent);
   }
   if (!response.ok) throw await problemOf(response);
   return response;

@@ -1,5 +1,5 @@
 /** Makes and hands over files: figures, waves as a table, code. Nothing leaves the machine. */
-import { pngOf, svgOf } from "./plots/figures.js";
+import { figureFile } from "./plots/figures.js";
 import { slope } from "./plots/waves.js";
 
 const FREE_S = 10; // until a browser has surely taken the file
@@ -15,7 +15,7 @@ export function handOver(name, content, type) {
 
 /** `kind`: svg or png. */
 export async function keepFigure(figure, kind, ground) {
-  const content = kind === "svg" ? svgOf(figure, ground) : await pngOf(figure, ground);
+  const content = await figureFile(figure, kind, ground);
   if (content) handOver(`vocalis-${figure.name}.${kind}`, content, "image/svg+xml");
 }
 
@@ -72,10 +72,8 @@ export function measureRows(catalogue, measures, words) {
 
 export const asTsv = (rows) => rows.map((row) => row.map((cell) => String(cell).replace(/[\t\n]/g, " ")).join("\t")).join("\n");
 
-/** Put a table on the clipboard as text and as HTML, so that sheets and documents both take it. */
-export async function copyTable(rows) {
+/** The same rows as an HTML table, which documents take. Pure. */
+export function asMarkup(rows) {
   const cell = (text) => `<td>${String(text).replace(/[&<>]/g, (sign) => `&#${sign.charCodeAt(0)};`)}</td>`;
-  const markup = `<table>${rows.map((row) => `<tr>${row.map(cell).join("")}</tr>`).join("")}</table>`;
-  const blob = (text, type) => new Blob([text], { type });
-  await navigator.clipboard.write([new ClipboardItem({ "text/plain": blob(asTsv(rows), "text/plain"), "text/html": blob(markup, "text/html") })]);
+  return `<table>${rows.map((row) => `<tr>${row.map(cell).join("")}</tr>`).join("")}</table>`;
 }

@@ -34,8 +34,9 @@ start();
 
 async function start() {
   try {
+    const catalogue = schema.peek() ? null : askCatalogue(); // meanwhile: most often the model is ready
     await modelReady();
-    if (!schema.peek()) await readCatalogue();
+    if (!schema.peek()) takeCatalogue(await catalogue);
     setConnection("ready");
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
@@ -53,8 +54,13 @@ async function modelReady() {
   }
 }
 
-async function readCatalogue() {
-  const [parameters, measures] = await Promise.all([getJson("parameters"), getJson("measures")]);
+function askCatalogue() {
+  const answers = Promise.all([getJson("parameters"), getJson("measures")]);
+  answers.catch(() => {}); // told where it is waited for
+  return answers;
+}
+
+function takeCatalogue([parameters, measures]) {
   const known = readSchema(parameters);
   const { changes, unknown } = readQuery(known, location.search);
   begin(known, measures.measures, changes);

@@ -6,7 +6,7 @@ import { runSweep } from "./sweep.js";
 import { axisOf } from "./sweep-table.js";
 import { MEASURES, MOST_STEPS, axes, following, map, takeMap, takeMapProblem, takeRunning } from "./state/map.js";
 import { restoreValues, schema, values } from "./state/request.js";
-import { MAP } from "./texts-map.js";
+import { MAP } from "./texts.js";
 import { effect, untracked } from "./ui.js";
 
 const REST_MS = 500; // without a movement before a map is made anew

@@ -3,7 +3,7 @@ import { Problem, call, getJson, simulate } from "./api.js";
 import { pointsOf, requestAt } from "./figure.js";
 import { LIVE_ARRAYS } from "./result.js";
 import { paper, takeFresh, takePaper, takePaperProblem, takeRun } from "./state/paper.js";
-import { PAPER } from "./texts-paper.js";
+import { PAPER } from "./texts.js";
 
 const SIDE_BY_SIDE = 2; // the server runs no more of one page at a time
 const BUSY_MS = 400;

@@ -4,7 +4,7 @@ import { numberText } from "./plots/axis.js";
 import { measured } from "./result.js";
 import { result } from "./state/outcome.js";
 import { announce } from "./state/session.js";
-import { STATES } from "./texts.js";
+import { SPEECH, STATES } from "./texts.js";
 
 const REST_MS = 900;
 
@@ -13,8 +13,8 @@ export function sentenceOf(shown) {
   const parts = [STATES[shown.state]];
   const pitch = measured(shown, "fo_hz");
   const level = measured(shown, "spl_30cm_db");
-  if (pitch !== null) parts.push(`${numberText(pitch)} hertz`);
-  if (level !== null) parts.push(`${numberText(level)} decibels at 30 centimetres`);
+  if (pitch !== null) parts.push(SPEECH.pitch(numberText(pitch)));
+  if (level !== null) parts.push(SPEECH.level(numberText(level)));
   return `${parts.join(", ")}.`;
 }
 

@@ -2,6 +2,7 @@
 import { Problem, call, getJson, link, postJson } from "./api.js";
 import { emptyTable, sweepRequest, withPoints, withResult } from "./sweep-table.js";
 import { isActive } from "./state/job.js";
+import { API } from "./texts.js";
 
 /**
  * `tell({job, table})` whenever something came; resolves when the job has ended, or has been dismissed because
@@ -34,7 +35,7 @@ function followed({ links }, signal, on) {
   return new Promise((resolve, reject) => {
     signal.addEventListener("abort", resolve);
     events.onopen = () => on.stands().catch(reject);
-    events.onerror = () => events.readyState === EventSource.CLOSED && reject(new Problem(0, "No answer", "The server sends no events."));
+    events.onerror = () => events.readyState === EventSource.CLOSED && reject(new Problem(0, API.noAnswer, API.noEvents));
     events.addEventListener("progress", ({ data }) => on.progress(JSON.parse(data)));
     events.addEventListener("point", ({ data }) => on.point(JSON.parse(data)));
     events.addEventListener("done", ({ data }) => {

@@ -31,10 +31,10 @@ export function writeQuery(knownSchema, allValues, openSection = null, withMap =
   return query.toString();
 }
 
-/** The address of these settings, at once: the address bar follows a moment later. */
-export function linkOf(knownSchema, allValues) {
+/** The address of what is shown, at once: the address bar follows a moment later. */
+export function linkOf(knownSchema, allValues, openSection = null, withMap = false) {
   const here = new URL(location.href);
-  here.search = writeQuery(knownSchema, allValues);
+  here.search = writeQuery(knownSchema, allValues, openSection, withMap);
   here.hash = "";
   return here.href;
 }

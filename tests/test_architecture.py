@@ -208,3 +208,31 @@ def _is_jit(node) -> bool:
     return isinstance(node, ast.FunctionDef) and any(
         isinstance(mark, ast.Name) and mark.id == "jit" for mark in node.decorator_list
     )
+
+
+#: Words in the markup of the page: text between tags, and attributes that are read out.
+MARKUP_WORDS = re.compile(
+    r"(?<!=)>([^<>${}`=()]*[A-Za-z]{3,}[^<>${}`=()]*)<|(?:aria-label|aria-description|title|placeholder|alt)=\"([^\"$]+)\""
+)
+
+
+def test_the_words_of_the_page_stand_in_one_file():
+    """Lessons are data; what stands before the page's script is in index.html."""
+    scripts = files(".js", under=("frontend",))
+    assert [path.name for path in scripts if path.name.startswith("texts")] == ["texts.js"]
+    stray = {
+        name_of(path): words
+        for path in scripts
+        if path.name != "texts.js" and "html`" in (text := path.read_text(encoding="utf-8"))
+        for words in [[match[0] for match in MARKUP_WORDS.finditer(text)]]
+        if words
+    }
+    assert stray == {}
+
+
+def test_the_page_tells_browsers_what_it_will_need():
+    from vocalis_frontend import modules
+
+    page = modules.INDEX.read_text(encoding="utf-8")
+    assert len(modules.needed()) > 50
+    assert modules.with_list(page) == page, "write the list anew: python -m vocalis_frontend.modules"

@@ -2,16 +2,19 @@
 import { html } from "../ui.js";
 import { held, hold, release } from "../state/compare.js";
 import { canRedo, canUndo, redo, undo } from "../state/history.js";
-import { setPanel } from "../state/look.js";
-import { announce } from "../state/session.js";
-import { COMPARE, HISTORY } from "../texts-views.js";
+import { narrow, setPanel } from "../state/look.js";
+import { announce, showNotice } from "../state/session.js";
+import { COMPARE, HISTORY } from "../texts.js";
 import { Icon } from "./Icon.js";
+
+const NOTICE_S = 3; // on a phone it lies over what one would move next
 
 /** Hold or release a side, say so, and show the comparison. */
 export function toggleHold(side) {
   if (side === "b" && held.peek().b) return release("b");
   if (!hold(side)) return;
   announce(COMPARE.held[side]);
+  if (narrow.peek()) showNotice(COMPARE.held[side], NOTICE_S);
   setPanel("compare");
 }
 

@@ -1,12 +1,11 @@
 /** Name, voice, model, and the few things about the page itself. */
 import { html, useComputed } from "../ui.js";
 import { copyText } from "../copy.js";
-import { narrow, openDialog, theme, toggleTheme } from "../state/look.js";
+import { mapShown, narrow, openDialog, theme, toggleTheme } from "../state/look.js";
 import { section, setSection } from "../state/paper.js";
 import { choosePreset, chooseVariant, preset, schema, values } from "../state/request.js";
 import { showNotice } from "../state/session.js";
-import { APP, TOP, VARIANT_NAMES } from "../texts.js";
-import { KEEP } from "../texts-views.js";
+import { APP, KEEP, TOP, VARIANT_NAMES } from "../texts.js";
 import { linkOf } from "../url.js";
 import { HistoryTools } from "./HistoryTools.js";
 import { Icon } from "./Icon.js";
@@ -35,7 +34,7 @@ function Presets() {
   return html`
     <label class="pick preset">
       <span>${TOP.preset}</span>
-      <select value=${chosen?.key ?? ""} title=${chosen?.look_for} onChange=${(event) => event.target.value && choosePreset(event.target.value)}>
+      <select aria-label=${TOP.preset} value=${chosen?.key ?? ""} title=${chosen?.look_for} onChange=${(event) => event.target.value && choosePreset(event.target.value)}>
         ${!chosen && html`<option value="">${TOP.own}</option>`}
         ${schema.value.presets.map(({ key, label }) => html`<option value=${key}>${label}</option>`)}
       </select>
@@ -49,7 +48,7 @@ export function Variants() {
   return html`
     <label class="pick variant">
       <span>${TOP.variant}</span>
-      <select value=${chosen} onChange=${(event) => chooseVariant(event.target.value)}>
+      <select aria-label=${TOP.variant} value=${chosen} onChange=${(event) => chooseVariant(event.target.value)}>
         ${schema.value.variants.map(({ key, help }) => html`<option value=${key} title=${help}>${VARIANT_NAMES[key] ?? key}</option>`)}
       </select>
     </label>
@@ -57,5 +56,5 @@ export function Variants() {
 }
 
 async function share() {
-  showNotice((await copyText(linkOf(schema.peek(), values.peek()))) ? TOP.shared : TOP.sharedFailed);
+  showNotice((await copyText(linkOf(schema.peek(), values.peek(), section.peek(), mapShown.peek()))) ? TOP.shared : TOP.sharedFailed);
 }

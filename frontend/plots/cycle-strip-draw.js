@@ -1,4 +1,6 @@
-/** Six moments of the cycle side by side: the glottis from above, pressures on the medial surface below it. */
+/** Moments of a cycle, or two voices at one moment, side by side: the glottis from above, below it the pressures on the medial surface. */
+import { fieldAt } from "../result.js";
+import { foldEdges } from "./glottis.js";
 import { paintField } from "./map-image.js";
 import { strokePoints } from "./frame-draw.js";
 
@@ -7,15 +9,19 @@ export const MOMENTS = 6;
 /** Phase of column `k`, 0 to 1: the middle of its sixth of the cycle. */
 export const phaseAt = (k) => (k + 0.5) / MOMENTS;
 
-/** Left edge and width of the columns, px. */
-function columnsIn(box, unit) {
-  const left = 2.9 * unit;
-  return { left, each: (box.width - left - 0.7 * unit) / MOMENTS };
-}
+/** What a column shows of a voice at a phase. */
+export const columnOf = (fields, phase, label) => ({
+  fields,
+  label,
+  edges: foldEdges(fields, fieldAt(fields, "w", phase)),
+  aero: fieldAt(fields, "aero", phase),
+  contact: fieldAt(fields, "contact", phase),
+});
 
-/** `columns`: [{edges, aero, contact}] at the phases above; `scales`: {aero, contact}; `reach`: mm shown beside the midline. */
-export function drawCycleStrip(context, box, { columns, fields, scales, reach, colours }, unit, font, words) {
-  const { left, each } = columnsIn(box, unit);
+/** `columns`: of columnOf; `scales`: {aero, contact}; `reach`: mm shown beside the midline; `long`: mm shown along it. */
+export function drawColumns(context, box, { columns, scales, reach, long = null, colours }, unit, font, words) {
+  const left = 2.9 * unit;
+  const each = (box.width - left - 0.7 * unit) / columns.length;
   const foot = 1.2 * unit;
   const high = (box.height - foot) / 3;
   const gap = 0.25 * unit;
@@ -24,28 +30,28 @@ export function drawCycleStrip(context, box, { columns, fields, scales, reach, c
   context.textAlign = "left";
   context.fillStyle = colours.inkSoft;
   [words.above, words.aero, words.contact].forEach((text, row) => context.fillText(text, 2, (row + 0.5) * high));
-  columns.forEach(({ edges, aero, contact }, k) => {
+  columns.forEach(({ fields, label, colour, edges, aero, contact }, k) => {
     const x = left + k * each;
-    drawOpening(context, { x, y: 0, width: each - gap, height: high - gap }, edges, reach, colours);
+    drawOpening(context, { x, y: 0, width: each - gap, height: high - gap }, edges, { reach, long: long ?? edges.lengthMm }, colours);
     [["aero", aero], ["contact", contact]].forEach(([name, values], row) => {
       const canvas = document.createElement("canvas");
       paintField(canvas, fields, values, scales[name], colours.theme);
       context.drawImage(canvas, x, (row + 1) * high, each - gap, high - gap);
     });
     context.textAlign = "center";
-    context.fillStyle = colours.inkSoft;
-    context.fillText(`${Math.round(100 * phaseAt(k))} %`, x + (each - gap) / 2, box.height - foot / 2);
+    context.fillStyle = colour ?? colours.inkSoft;
+    context.fillText(label, x + (each - gap) / 2, box.height - foot / 2);
   });
 }
 
-function drawOpening(context, { x, y, width, height }, { u, inner, superior, inferior, lengthMm }, reach, colours) {
+function drawOpening(context, { x, y, width, height }, { u, inner, superior, inferior }, { reach, long }, colours) {
   context.save();
   context.beginPath();
   context.rect(x, y, width, height);
   context.clip();
   context.fillStyle = colours.fold;
   context.fillRect(x, y, width, height);
-  const at = (r, i) => [x + (1 + u[i] / lengthMm) * width, y + height / 2 - (r / reach) * (height / 2)];
+  const at = (r, i) => [x + (1 + u[i] / long) * width, y + height / 2 - (r / reach) * (height / 2)];
   const open = inner.map((r) => Math.max(r, 0));
   context.beginPath();
   open.forEach((r, i) => context.lineTo(...at(r, i)));

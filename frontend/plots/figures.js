@@ -5,13 +5,19 @@ import { SvgContext } from "./svg-context.js";
 const PNG_RATIO = 3; // for print at 300 dpi
 const shown = signal([]);
 
-/** [{name, title, model, paint, size}] of what is mounted and has a title. */
+/** [{name, title, model, paint, size}, or {name, title, make}] of what is mounted and has a title. */
 export const figures = shown;
 
 /** Offer a picture while it is on the page; returns the end of it. */
 export function offer(figure) {
   shown.value = [...shown.peek(), figure];
   return () => (shown.value = shown.peek().filter((other) => other !== figure));
+}
+
+/** The figure as a file: SVG text or a PNG blob; null while it has nothing to show. Some figures `make(kind)` it themselves. */
+export function figureFile(figure, kind, ground) {
+  if (figure.make) return figure.make(kind);
+  return kind === "svg" ? svgOf(figure, ground) : pngOf(figure, ground);
 }
 
 /** The figure as SVG text; null while it has nothing to show. */

@@ -16,8 +16,18 @@ export function loadPlotly() {
   return loading;
 }
 
-/** Traces and layout of a stack of waves on one time axis. */
-export function stackFigure(rows, timeS, axisTitle, colours) {
+/** What a Plotly figure shows as a file: SVG text or a PNG blob, on `ground`, under its heading. */
+export async function plotlyFile(element, kind, ground, heading) {
+  const { clientWidth: width, clientHeight: height } = element;
+  const figure = { data: element.data, layout: { ...element.layout, paper_bgcolor: ground, title: { text: heading, font: { size: 14 }, x: 0.02 }, margin: { ...element.layout.margin, t: 40 } } };
+  const address = await window.Plotly.toImage(figure, { format: kind, width, height, scale: kind === "png" ? 3 : 1 });
+  const content = address.slice(address.indexOf(",") + 1);
+  if (kind === "svg") return decodeURIComponent(content);
+  return new Blob([Uint8Array.from(atob(content), (sign) => sign.charCodeAt(0))], { type: "image/png" });
+}
+
+/** Traces and layout of a stack of waves on one time axis. `narrow`: the buttons need a line of their own. */
+export function stackFigure(rows, timeS, axisTitle, colours, narrow) {
   const count = rows.length;
   const family = getComputedStyle(document.documentElement).getPropertyValue("--font");
   const font = { family, size: 13, color: colours.ink };
@@ -26,7 +36,7 @@ export function stackFigure(rows, timeS, axisTitle, colours) {
     paper_bgcolor: "rgba(0,0,0,0)",
     plot_bgcolor: "rgba(0,0,0,0)",
     font,
-    margin: { l: 64, r: 16, t: 34, b: 44 },
+    margin: { l: 64, r: 16, t: narrow ? 64 : 34, b: 44 },
     modebar: { bgcolor: "rgba(0,0,0,0)", color: colours.inkSoft, activecolor: colours.accent },
     annotations: [],
     showlegend: false,

@@ -44,7 +44,7 @@ export function drawMuscleNames(context, view, lines, names, colours, font) {
 }
 
 // Which point of a strand a name stands at, and how far from it, mm.
-const NAME_PLACES = { ta: [1, [0, 0.95]], lca: [1, [1.2, 1.1]], pca: [1, [0.3, 2.6]], ia: [1, [1.5, 0.9]], ct: [1, [-2.1, 0.7]] };
+const NAME_PLACES = { ta: [1, [0, 0.95]], lca: [1, [1.2, 1.1]], pca: [1, [1.3, 2.4]], ia: [0, [1.6, 0]], ct: [1, [-2.1, 0.7]] };
 
 /** A bar of 5 mm in the lower right corner. */
 export function drawScaleBar(context, view, box, colours, font) {

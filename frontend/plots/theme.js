@@ -36,7 +36,7 @@ export function paperPalette() {
 export const rootPx = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
 
 /** Canvas text in the page's own small size, which grows with the screen. */
-export function smallFont(weight = 400) {
-  const style = getComputedStyle(document.documentElement);
-  return `${weight} ${(parseFloat(style.fontSize) * 0.78).toFixed(2)}px ${style.getPropertyValue("--font")}`;
+export function smallFont(weight = 400, rem = rootPx()) {
+  const family = getComputedStyle(document.documentElement).getPropertyValue("--font");
+  return `${weight} ${(rem * 0.78).toFixed(2)}px ${family}`;
 }

@@ -1,7 +1,7 @@
 /** The guided tour: which lessons there are, and the step one is at. A step sets the voice and where to look. */
 import { batch, computed, signal } from "../ui.js";
 import { defaultValues } from "../params.js";
-import { setPanel } from "./look.js";
+import { showPanel } from "./look.js";
 import { setMoving, setSlowdown } from "./motion.js";
 import { readonly } from "./readonly.js";
 import { restoreValues, schema } from "./request.js";
@@ -18,6 +18,9 @@ export const lesson = readonly(_lesson);
 export const step = readonly(_step);
 export const lessonProblem = readonly(_problem);
 export const present = computed(() => _lesson.value?.steps[_step.value] ?? null);
+
+/** Keys of the measures a step speaks of. Pure. */
+export const measuresOf = ({ expect }) => [...new Set(expect.flatMap(({ measure }) => measure ?? []))];
 
 export function takeLessons(index) {
   _index.value = index;
@@ -38,7 +41,7 @@ export function goToStep(place) {
   batch(() => {
     _step.value = place;
     restoreValues({ ...defaultValues(schema.peek()), ...set });
-    setPanel(look.panel);
+    showPanel(look.panel);
     if (look.slowdown) {
       setSlowdown(look.slowdown);
       setMoving(!matchMedia("(prefers-reduced-motion: reduce)").matches);
@@ -50,6 +53,6 @@ export function goToStep(place) {
 export function endLesson() {
   batch(() => {
     _lesson.value = null;
-    setPanel("lessons");
+    showPanel("lessons");
   });
 }

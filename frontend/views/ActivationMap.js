@@ -8,9 +8,9 @@ import { palette } from "../plots/theme.js";
 import { narrow } from "../state/look.js";
 import { PlotlyPlace } from "./PlotlyPlace.js";
 
-export function ActivationMap({ name, label, map, words, onPick }) {
+export function ActivationMap({ name, label, title, heading, map, words, onPick }) {
   const figure = () => activationMapFigure(map(), palette.value, words, narrow.value);
-  return html`<${PlotlyPlace} name=${name} label=${label} figure=${figure} onPick=${({ x, y }) => onPick(x, y)} />`;
+  return html`<${PlotlyPlace} name=${name} label=${label} title=${title} heading=${heading} figure=${figure} onPick=${({ x, y }) => onPick(x, y)} />`;
 }
 
 /** Names and counts of the cells without a value; `states` may hold others, which are not told. */

@@ -9,11 +9,9 @@ import { mapShown, narrow, open } from "../state/look.js";
 import { section } from "../state/paper.js";
 import { schema } from "../state/request.js";
 import { announcement, connection, notice } from "../state/session.js";
-import { HelpDialog } from "./HelpDialog.js";
+import { APP } from "../texts.js";
 import { Login } from "./Login.js";
 import { Maps } from "./Maps.js";
-import { MeasureDialog } from "./MeasureDialog.js";
-import { PaperPage } from "./PaperPage.js";
 import { Phone } from "./Phone.js";
 import { RightColumn } from "./RightColumn.js";
 import { Stage } from "./Stage.js";
@@ -25,7 +23,10 @@ import { lazy } from "./lazy.js";
 const CodeDialog = lazy(() => import("./CodeDialog.js"), "CodeDialog");
 const Detail = lazy(() => import("./Detail.js"), "Detail");
 const KeepDialog = lazy(() => import("./KeepDialog.js"), "KeepDialog");
+const MeasureDialog = lazy(() => import("./MeasureDialog.js"), "MeasureDialog");
+const PaperPage = lazy(() => import("./PaperPage.js"), "PaperPage");
 const ReportDialog = lazy(() => import("./ReportDialog.js"), "ReportDialog");
+const HelpDialog = lazy(() => import("./HelpDialog.js"), "HelpDialog");
 const LessonCard = lazy(() => import("./LessonCard.js"), "LessonCard");
 
 const DIALOGS = { help: HelpDialog, measure: MeasureDialog, detail: Detail, keep: KeepDialog, code: CodeDialog, report: ReportDialog };
@@ -46,7 +47,7 @@ function Desk() {
   return html`
     <div class="desk">
       <${TopBar} />
-      <aside class="left card" aria-label="Controls"><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} short=${true} /></aside>
+      <aside class="left card" aria-label=${APP.controls}><${Muscles} /><${BreathAndTract} /><${Advanced} /><${Use} short=${true} /></aside>
       ${mapShown.value ? html`<main class="whole"><${RightColumn} /></main>` : html`<main class="centre"><${Stage} />${lesson.value ? html`<${LessonCard} />` : html`<${Maps} />`}</main><${RightColumn} />`}
       <${Strip} />
     </div>

@@ -1,6 +1,6 @@
 /** The way into a figure's cases without a pointer: one choice an axis, then open. */
 import { html, useState } from "../ui.js";
-import { PAPER } from "../texts-paper.js";
+import { PAPER } from "../texts.js";
 import { openCase } from "./FigureTools.js";
 
 export function CasePicker({ figure }) {

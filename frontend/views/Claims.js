@@ -1,7 +1,8 @@
 /** Claims of the paper with the verdict and the measured sentence; `compact`: the sentence within what unfolds. */
 import { html } from "../ui.js";
 import { paper } from "../state/paper.js";
-import { PAPER } from "../texts-paper.js";
+import { WithSymbols } from "../symbol.js";
+import { PAPER } from "../texts.js";
 
 export function Verdict({ verdict }) {
   return html`<span class=${`verdict ${verdict}`}>${PAPER.verdicts[verdict]}</span>`;
@@ -14,12 +15,12 @@ export function Claims({ keys, compact = false }) {
       ${shown.map(({ key, title, paper_says, definition, outcomes }) => html`
         <li key=${key} data-claim=${key}>
           <details>
-            <summary><${Verdict} verdict=${outcomes.paper.verdict} /> <b>${key}</b> ${title}</summary>
-            ${compact && html`<p class="measured">${outcomes.paper.sentence}</p>`}
-            <p><b>${PAPER.says}.</b> ${paper_says}</p>
+            <summary><${Verdict} verdict=${outcomes.paper.verdict} /> <b>${key}</b> <span><${WithSymbols} text=${title} /></span></summary>
+            ${compact && html`<p class="measured"><${WithSymbols} text=${outcomes.paper.sentence} /></p>`}
+            <p><b>${PAPER.says}.</b> <${WithSymbols} text=${paper_says} /></p>
             <p><b>${PAPER.test}.</b> ${definition}</p>
           </details>
-          ${!compact && html`<p class="measured">${outcomes.paper.sentence}</p>`}
+          ${!compact && html`<p class="measured"><${WithSymbols} text=${outcomes.paper.sentence} /></p>`}
         </li>
       `)}
     </ul>

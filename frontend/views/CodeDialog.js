@@ -1,11 +1,12 @@
 /** The voice as a script and as a call, ready to run. */
 import { html, useState } from "../ui.js";
 import { link } from "../api.js";
+import { copyText } from "../copy.js";
 import { curlCode, pythonCode } from "../kept.js";
 import { LIVE_S } from "../live.js";
 import { simulationRequest } from "../params.js";
 import { schema, values } from "../state/request.js";
-import { CODE } from "../texts-views.js";
+import { CODE } from "../texts.js";
 import { Dialog } from "./Dialog.js";
 
 export function CodeDialog() {
@@ -20,7 +21,7 @@ export function CodeDialog() {
 
 function Listing({ name, title, help, text }) {
   const [said, say] = useState("");
-  const copy = () => navigator.clipboard.writeText(text).then(() => say(CODE.copied), () => say(CODE.copyFailed));
+  const copy = async () => say((await copyText(text)) ? CODE.copied : CODE.copyFailed);
   return html`
     <section class="listing">
       <div class="card-head"><h3>${title}</h3><span role="status" class="when">${said}</span><button type="button" class="button small" onClick=${copy}>${CODE.copy}</button></div>

@@ -1,16 +1,18 @@
 /** A and B side by side: what differs in settings and measures, the waves over each other, both to hear. */
-import { computed, html } from "../ui.js";
+import { computed, html, useComputed } from "../ui.js";
 import { numberText } from "../plots/axis.js";
 import { drawComparison } from "../plots/compare-draw.js";
 import { cycleOf } from "../plots/compare.js";
+import { columnOf, drawColumns } from "../plots/cycle-strip-draw.js";
 import { palette, rootPx, smallFont } from "../plots/theme.js";
 import { hear, heard, held, hold, release, second } from "../state/compare.js";
 import { compareMode, setCompareMode } from "../state/deeper.js";
+import { phase, readout } from "../state/motion.js";
 import { rested } from "../state/rested.js";
 import { catalogue, restoreValues, schema } from "../state/request.js";
 import { Symbol } from "../symbol.js";
-import { HEADLINES, STATES, WAVES } from "../texts.js";
-import { COMPARE } from "../texts-views.js";
+import { COMPARE, FOLDS, HEADLINES, STATES, WAVES } from "../texts.js";
+import { contactScale, pressureScale } from "./Maps.js";
 import { valueText } from "./measure-text.js";
 import { Picture } from "./Picture.js";
 import { differingSettings, valueOf } from "./settings-text.js";
@@ -30,6 +32,35 @@ function wavesModel() {
 }
 
 const paint = (context, box, model) => drawComparison(context, box, model, rootPx(), smallFont(), COMPARE);
+
+/** Both voices at the shared phase, under the same limits. */
+function foldsModel() {
+  const both = [held.value.a?.result.fields, (held.value.b?.result ?? rested.value)?.fields];
+  if (!both[0] || !both[1]) return null;
+  const columns = both.map((fields, k) => ({ ...columnOf(fields, phase.value, "AB"[k]), colour: [palette.value.voiceA, palette.value.voiceB][k] }));
+  const range = (name) => ({ min: Math.min(...both.map((fields) => fields[name].min)), max: Math.max(...both.map((fields) => fields[name].max)) });
+  const shared = { aeroRange: range("aeroRange"), contactRange: range("contactRange") };
+  return {
+    columns,
+    reach: Math.max(...both.map(reachOf)),
+    long: Math.max(...columns.map(({ edges }) => edges.lengthMm)),
+    scales: { aero: pressureScale(shared), contact: contactScale(shared) },
+    colours: palette.value,
+  };
+}
+
+const reaches = new WeakMap();
+
+/** Largest distance of an edge from the midline in the cycle, mm. */
+function reachOf(fields) {
+  if (!reaches.has(fields)) {
+    const all = Array.from({ length: fields.phases }, (_, k) => columnOf(fields, k / fields.phases).edges);
+    reaches.set(fields, Math.max(1, ...all.flatMap(({ superior, inferior }) => [...superior, ...inferior])));
+  }
+  return reaches.get(fields);
+}
+
+const paintFolds = (context, box, model) => drawColumns(context, box, model, rootPx(), smallFont(), FOLDS.strip);
 
 export function ComparePanel() {
   const { a, b } = held.value;
@@ -63,14 +94,20 @@ function Pair({ a, b, live }) {
     </table>
     <figure class="plot">
       <figcaption>
-        <h2>${COMPARE.waves}</h2>
+        <h2>${compareMode.value === "folds" ? html`<${FoldsTitle} />` : COMPARE.waves}</h2>
         <div class="segments small" role="group" aria-label=${COMPARE.modeName}>
           ${Object.entries(COMPARE.mode).map(([mode, text]) => html`<button key=${mode} type="button" class="segment" aria-pressed=${compareMode.value === mode} onClick=${() => setCompareMode(mode)}><span>${text}</span></button>`)}
         </div>
       </figcaption>
-      <${Picture} name="compare" title=${COMPARE.title} model=${wavesModel} paint=${paint} label=${COMPARE.picture} />
+      ${compareMode.value === "folds"
+        ? html`<${Picture} key="folds" name="compare-folds" title=${COMPARE.title} model=${foldsModel} paint=${paintFolds} label=${COMPARE.foldsPicture} />`
+        : html`<${Picture} key="waves" name="compare" title=${COMPARE.title} model=${wavesModel} paint=${paint} label=${COMPARE.picture} />`}
     </figure>
   `;
+}
+
+function FoldsTitle() {
+  return html`${useComputed(() => COMPARE.folds(Math.floor(100 * readout.value)))}`;
 }
 
 function MeasureRow({ row, a, b }) {

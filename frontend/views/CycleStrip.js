@@ -1,28 +1,23 @@
 /** Six moments of the cycle; the one under the shared cursor is framed, and a press on one holds it. */
 import { computed, html, useComputed } from "../ui.js";
-import { foldEdges } from "../plots/glottis.js";
-import { MOMENTS, drawCycleStrip, phaseAt } from "../plots/cycle-strip-draw.js";
+import { MOMENTS, columnOf, drawColumns, phaseAt } from "../plots/cycle-strip-draw.js";
 import { palette, rootPx, smallFont } from "../plots/theme.js";
-import { fieldAt, isVoiced } from "../result.js";
+import { isVoiced } from "../result.js";
 import { holdPhase, readout } from "../state/motion.js";
 import { rested } from "../state/rested.js";
-import { FOLDS } from "../texts-views.js";
+import { FOLDS } from "../texts.js";
 import { contactScale, pressureScale } from "./Maps.js";
 import { Picture } from "./Picture.js";
 
 const strip = computed(() => {
   if (!isVoiced(rested.value)) return null;
   const { fields } = rested.value;
-  const columns = Array.from({ length: MOMENTS }, (_, k) => ({
-    edges: foldEdges(fields, fieldAt(fields, "w", phaseAt(k))),
-    aero: fieldAt(fields, "aero", phaseAt(k)),
-    contact: fieldAt(fields, "contact", phaseAt(k)),
-  }));
+  const columns = Array.from({ length: MOMENTS }, (_, k) => columnOf(fields, phaseAt(k), FOLDS.strip.moment(Math.round(100 * phaseAt(k)))));
   const reach = Math.max(1, ...columns.flatMap(({ edges }) => [...edges.superior, ...edges.inferior]));
-  return { columns, fields, reach, scales: { aero: pressureScale(fields), contact: contactScale(fields) } };
+  return { columns, reach, scales: { aero: pressureScale(fields), contact: contactScale(fields) } };
 });
 
-const paint = (context, box, model) => drawCycleStrip(context, box, model, rootPx(), smallFont(), FOLDS.strip);
+const paint = (context, box, model) => drawColumns(context, box, model, rootPx(), smallFont(), FOLDS.strip);
 
 export function CycleStrip() {
   const now = useComputed(() => Math.floor(readout.value * MOMENTS) % MOMENTS).value;

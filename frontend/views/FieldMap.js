@@ -3,15 +3,20 @@ import { effect, html, useComputed, useEffect, useRef } from "../ui.js";
 import { forget, inFrame } from "../frame.js";
 import { niceStep, numberText, tickText, ticks } from "../plots/axis.js";
 import { colourGradient } from "../plots/colours.js";
+import { drawField } from "../plots/field-draw.js";
+import { offer } from "../plots/figures.js";
 import { paintField } from "../plots/map-image.js";
+import { palette, rootPx, smallFont } from "../plots/theme.js";
 import { fieldAt } from "../result.js";
 import { theme } from "../state/look.js";
 import { phase } from "../state/motion.js";
 import { result } from "../state/outcome.js";
 import { MAPS } from "../texts.js";
 
-/** `scaleOf(fields)` → {kind, limit, low} in Pa. */
-export function FieldMap({ name, title, scaleOf }) {
+const KEPT_REM = { width: 30, height: 13 };
+
+/** `scaleOf(fields)` → {kind, limit, low} in Pa; `moment()`: the phase shown in words, for the file. */
+export function FieldMap({ name, title, scaleOf, moment }) {
   const canvas = useRef(null);
   const scale = useComputed(() => (result.value ? scaleOf(result.value.fields) : null));
   useEffect(() => {
@@ -22,11 +27,21 @@ export function FieldMap({ name, title, scaleOf }) {
       const [at, limits, colours] = [phase.value, scale.value, theme.value];
       inFrame(place, () => paintField(place, shown.fields, fieldAt(shown.fields, name, at), limits, colours));
     });
+    const withdraw = offer({ name: `map-${name}`, title, size: keptSize, model: keptModel, paint: paintKept });
     return () => {
       stop();
+      withdraw();
       forget(place);
     };
   }, []);
+  const keptModel = () =>
+    result.peek() && {
+      fields: result.peek().fields,
+      values: fieldAt(result.peek().fields, name, phase.peek()),
+      scale: scale.peek(),
+      colours: palette.peek(),
+      heading: `${title}, Pa, ${moment()}`,
+    };
   const fields = result.value?.fields;
   const millimetres = (metres) => (fields ? `${numberText(metres * 1e3, 1)} mm` : "");
   return html`
@@ -41,6 +56,9 @@ export function FieldMap({ name, title, scaleOf }) {
     </figure>
   `;
 }
+
+const keptSize = () => ({ width: KEPT_REM.width * rootPx(), height: KEPT_REM.height * rootPx() });
+const paintKept = (context, box, model) => drawField(context, box, model, rootPx(), smallFont(), MAPS);
 
 function ColourBar({ scale }) {
   const { low, limit } = scale;

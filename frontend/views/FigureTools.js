@@ -4,7 +4,7 @@ import { requestAt } from "../figure.js";
 import { cancelFigure, remake } from "../paper.js";
 import { backToShipped, fresh, paperRun, setSection } from "../state/paper.js";
 import { takeRequest } from "../state/request.js";
-import { PAPER } from "../texts-paper.js";
+import { PAPER } from "../texts.js";
 
 /** Put the posture of a point of `figure` into the instrument and show it. */
 export function openCase(figure, point) {

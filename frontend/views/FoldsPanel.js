@@ -7,7 +7,7 @@ import { palette, rootPx, smallFont } from "../plots/theme.js";
 import { isVoiced } from "../result.js";
 import { kymogramLevel, setKymogramLevel } from "../state/deeper.js";
 import { rested } from "../state/rested.js";
-import { FOLDS } from "../texts-views.js";
+import { FOLDS } from "../texts.js";
 import { CycleStrip } from "./CycleStrip.js";
 import { Picture } from "./Picture.js";
 import { PhaseCursor } from "./PhaseCursor.js";

@@ -4,8 +4,7 @@ import { numberText } from "../plots/axis.js";
 import { presetOf } from "../params.js";
 import { at, entries, goTo } from "../state/history.js";
 import { schema } from "../state/request.js";
-import { STATES } from "../texts.js";
-import { HISTORY } from "../texts-views.js";
+import { HISTORY, STATES } from "../texts.js";
 import { changeSummary } from "./settings-text.js";
 
 export function HistoryList() {

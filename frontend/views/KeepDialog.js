@@ -6,7 +6,7 @@ import { figures } from "../plots/figures.js";
 import { palette } from "../plots/theme.js";
 import { openDialog } from "../state/look.js";
 import { result } from "../state/outcome.js";
-import { KEEP } from "../texts-views.js";
+import { KEEP } from "../texts.js";
 import { Dialog } from "./Dialog.js";
 
 export function KeepDialog() {

@@ -2,7 +2,7 @@
 import { html, useEffect } from "../ui.js";
 import { loadLessons, startLesson } from "../lessons.js";
 import { lesson, lessonProblem, lessons } from "../state/lessons.js";
-import { LESSONS } from "../texts-views.js";
+import { LESSONS } from "../texts.js";
 
 export function LessonList() {
   useEffect(() => void loadLessons(), []);

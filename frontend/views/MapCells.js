@@ -4,8 +4,7 @@ import { loadCell } from "../map.js";
 import { numberText } from "../plots/axis.js";
 import { map, measure } from "../state/map.js";
 import { catalogue } from "../state/request.js";
-import { STATES } from "../texts.js";
-import { MAP } from "../texts-map.js";
+import { MAP, STATES } from "../texts.js";
 import { CellLegend } from "./ActivationMap.js";
 import { axisLabel } from "./map-picture.js";
 

@@ -6,7 +6,7 @@ import { samePoints } from "../sweep-table.js";
 import { difference, kept, map, mapProblem, measure } from "../state/map.js";
 import { narrow } from "../state/look.js";
 import { catalogue } from "../state/request.js";
-import { MAP } from "../texts-map.js";
+import { MAP } from "../texts.js";
 import { ActivationMap } from "./ActivationMap.js";
 import { MapCells } from "./MapCells.js";
 import { MapSetup } from "./MapSetup.js";
@@ -38,8 +38,9 @@ function MapPicture() {
   const [up, right] = map.value.table.axes.map(axisLabel);
   const taken = difference.value && kept.value && samePoints(kept.value.table, map.value.table);
   const name = `${row.name}${row.unit === "1" ? "" : ` (${row.unit})`}`;
+  const heading = taken ? `${MAP.difference}: ${name}` : name;
   return html`
-    <h3 class="map-title">${taken ? `${MAP.difference}: ` : ""}${name}</h3>
-    <${ActivationMap} name="map" label=${MAP.picture(row.name, up, right)} map=${() => pictureOf(palette.value)} words=${MAP.states} onPick=${(x, y) => loadCell(map.peek(), [y, x])} />
+    <h3 class="map-title">${heading}</h3>
+    <${ActivationMap} name="map" title=${MAP.title} heading=${heading} label=${MAP.picture(row.name, up, right)} map=${() => pictureOf(palette.value)} words=${MAP.states} onPick=${(x, y) => loadCell(map.peek(), [y, x])} />
   `;
 }

@@ -4,7 +4,7 @@ import { cancelMap, startMap } from "../map.js";
 import { capital } from "../params.js";
 import { axes, map, running, setAxis } from "../state/map.js";
 import { schema } from "../state/request.js";
-import { MAP } from "../texts-map.js";
+import { MAP } from "../texts.js";
 
 const TIED = ["activation.lca", "activation.ia"];
 const JOIN = "+";

@@ -4,7 +4,7 @@ import { link } from "../api.js";
 import { samePoints } from "../sweep-table.js";
 import { MEASURES, difference, following, keepMap, kept, map, measure, setDifference, setFollowing, setMeasure } from "../state/map.js";
 import { catalogue } from "../state/request.js";
-import { MAP } from "../texts-map.js";
+import { MAP } from "../texts.js";
 import { MapRun } from "./MapSetup.js";
 
 export function MapTools() {

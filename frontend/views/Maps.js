@@ -13,8 +13,8 @@ export function Maps() {
   return html`
     <section class="maps card" aria-label=${MAPS.where}>
       <div class="card-head"><h2>${MAPS.where}</h2><span class="when">${at}</span></div>
-      <${FieldMap} name="aero" title=${MAPS.aero} scaleOf=${pressureScale} />
-      <${FieldMap} name="contact" title=${MAPS.contact} scaleOf=${contactScale} />
+      <${FieldMap} name="aero" title=${MAPS.aero} scaleOf=${pressureScale} moment=${() => at.peek()} />
+      <${FieldMap} name="contact" title=${MAPS.contact} scaleOf=${contactScale} moment=${() => at.peek()} />
     </section>
   `;
 }

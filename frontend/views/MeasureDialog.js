@@ -35,6 +35,6 @@ function rangeText(row) {
   const { low, high, who, source } = row.normal_range;
   const decimals = Number.isInteger(low) && Number.isInteger(high) ? 0 : row.decimals;
   const unit = row.unit === "1" ? "" : ` ${row.unit}`;
-  const value = low === high ? `about ${numberText(low, decimals)}` : `${numberText(low, decimals)} to ${numberText(high, decimals)}`;
+  const value = low === high ? MEASURE.about(numberText(low, decimals)) : MEASURE.fromTo(numberText(low, decimals), numberText(high, decimals));
   return `${value}${unit}: ${who} (${source})`;
 }

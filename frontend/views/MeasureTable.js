@@ -1,14 +1,14 @@
 /** Every measure with its unit, or the reason why there is none. */
 import { html, useState } from "../ui.js";
-import { copyTable, measureRows } from "../kept.js";
+import { copyText } from "../copy.js";
+import { asMarkup, asTsv, measureRows } from "../kept.js";
 import { capital } from "../params.js";
 import { openDialog } from "../state/look.js";
 import { result } from "../state/outcome.js";
 import { catalogue } from "../state/request.js";
-import { MEASURE } from "../texts.js";
-import { COPY_TABLE } from "../texts-views.js";
+import { COPY_TABLE, MEASURE } from "../texts.js";
 import { Symbol } from "../symbol.js";
-import { expected, valueText } from "./measure-text.js";
+import { rangeOf, valueText } from "./measure-text.js";
 
 export function MeasureTable() {
   if (!catalogue.value) return null;
@@ -18,6 +18,7 @@ export function MeasureTable() {
       <${CopyButton} />
       <table>
         <caption class="visually-hidden">${MEASURE.table}</caption>
+        <thead><tr>${MEASURE.columns.map((name) => html`<th key=${name} scope="col">${name}</th>`)}</tr></thead>
         ${[...groups].map(([group, rows]) => html`
           <tbody key=${group}>
             <tr class="measure-group"><th colspan="3" scope="colgroup">${capital(group)}</th></tr>
@@ -32,8 +33,10 @@ export function MeasureTable() {
 
 function CopyButton() {
   const [said, say] = useState("");
-  const copy = () =>
-    copyTable(measureRows(catalogue.peek(), result.peek()?.measures ?? {}, COPY_TABLE.columns)).then(() => say(COPY_TABLE.copied), () => say(COPY_TABLE.failed));
+  const copy = async () => {
+    const rows = measureRows(catalogue.peek(), result.peek()?.measures ?? {}, COPY_TABLE.columns);
+    say((await copyText(asTsv(rows), asMarkup(rows))) ? COPY_TABLE.copied : COPY_TABLE.failed);
+  };
   return html`<p class="copy-table"><span role="status" class="when">${said}</span><button type="button" class="button small" onClick=${copy}>${COPY_TABLE.copy}</button></p>`;
 }
 
@@ -43,7 +46,7 @@ function Row({ row }) {
     <tr data-measure=${row.key}>
       <th scope="row"><button type="button" class="plain" onClick=${() => openDialog("measure", { key: row.key })}>${row.name}</button> <${Symbol} text=${row.symbol} /></th>
       <td class="value">${valueText(measure, row)}</td>
-      <td class="expected">${row.normal_range ? expected(row) : ""}</td>
+      <td class="expected">${row.normal_range && html`${rangeOf(row)} <span class="source">${row.normal_range.source}</span>`}</td>
     </tr>
     ${measure?.reason && html`<tr class="why"><td colspan="3" class="reason">${measure.reason}</td></tr>`}
   `;

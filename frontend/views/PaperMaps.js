@@ -3,7 +3,7 @@ import { computed, html } from "../ui.js";
 import { mapStates } from "../figure.js";
 import { figures } from "../state/paper.js";
 import { values } from "../state/request.js";
-import { PAPER } from "../texts-paper.js";
+import { PAPER } from "../texts.js";
 import { ActivationMap, CellLegend } from "./ActivationMap.js";
 import { CasePicker } from "./CasePicker.js";
 import { Claims } from "./Claims.js";

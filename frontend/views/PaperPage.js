@@ -3,7 +3,7 @@ import { html, useEffect } from "../ui.js";
 import { TopBar } from "../controls/TopBar.js";
 import { cancelFigure, loadPaper } from "../paper.js";
 import { figures, paper, paperProblem, section, setSection } from "../state/paper.js";
-import { PAPER } from "../texts-paper.js";
+import { PAPER } from "../texts.js";
 import { PaperMaps } from "./PaperMaps.js";
 import { PaperPca } from "./PaperPca.js";
 import { PaperScore } from "./PaperScore.js";

@@ -5,7 +5,7 @@ import { levelCurveFigure } from "../plots/level-curve.js";
 import { palette } from "../plots/theme.js";
 import { figures } from "../state/paper.js";
 import { values } from "../state/request.js";
-import { PAPER } from "../texts-paper.js";
+import { PAPER } from "../texts.js";
 import { CasePicker } from "./CasePicker.js";
 import { Claims } from "./Claims.js";
 import { FigureTools, openCase } from "./FigureTools.js";

@@ -1,7 +1,8 @@
 /** All claims with their verdicts on both variants. */
 import { html } from "../ui.js";
 import { paper } from "../state/paper.js";
-import { PAPER } from "../texts-paper.js";
+import { WithSymbols } from "../symbol.js";
+import { PAPER } from "../texts.js";
 import { Verdict } from "./Claims.js";
 
 export function PaperScore() {
@@ -16,8 +17,8 @@ export function PaperScore() {
         <tbody>
           ${claims.map(({ key, title, paper_says, outcomes }) => html`
             <tr key=${key} data-claim=${key}>
-              <th scope="row">${key}</th><td><b>${title}</b><span class="says">${paper_says}</span></td>
-              ${variants.map((v) => html`<td key=${v}><${Verdict} verdict=${outcomes[v].verdict} /><span class="says">${outcomes[v].sentence}</span></td>`)}
+              <th scope="row">${key}</th><td><b><${WithSymbols} text=${title} /></b><span class="says"><${WithSymbols} text=${paper_says} /></span></td>
+              ${variants.map((v) => html`<td key=${v}><${Verdict} verdict=${outcomes[v].verdict} /><span class="says"><${WithSymbols} text=${outcomes[v].sentence} /></span></td>`)}
             </tr>
           `)}
         </tbody>

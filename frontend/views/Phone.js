@@ -3,32 +3,28 @@ import { html } from "../ui.js";
 import { Advanced } from "../controls/Advanced.js";
 import { BreathAndTract } from "../controls/BreathAndTract.js";
 import { Muscles } from "../controls/Muscles.js";
-import { HistoryTools } from "../controls/HistoryTools.js";
 import { SoundControls } from "../controls/SoundControls.js";
-import { TopBar, Variants } from "../controls/TopBar.js";
+import { TopBar } from "../controls/TopBar.js";
+import { loadLessons } from "../lessons.js";
 import { lesson } from "../state/lessons.js";
-import { openDialog, panel, setPanel, setTab, tab } from "../state/look.js";
+import { panel, setPanel, setTab, tab } from "../state/look.js";
 import { result } from "../state/outcome.js";
-import { HEADLINES, PANELS, RUN, TABS } from "../texts.js";
-import { KEEP, LESSONS } from "../texts-views.js";
+import { HEADLINES, PANELS, TABS } from "../texts.js";
 import { Headline } from "./Headline.js";
 import { Maps } from "./Maps.js";
-import { Play } from "./Play.js";
 import { PhonationState } from "./PhonationState.js";
 import { PostureLine } from "./PostureLine.js";
 import { CONTENT as PANEL_CONTENT } from "./RightColumn.js";
 import { Shapes } from "./Shapes.js";
 import { Stage } from "./Stage.js";
 import { TabList } from "./TabList.js";
-import { Use } from "./Use.js";
 import { lazy } from "./lazy.js";
 import { Waves } from "./Waves.js";
 
-const HistoryList = lazy(() => import("./HistoryList.js"), "HistoryList");
 const LessonCard = lazy(() => import("./LessonCard.js"), "LessonCard");
-const LessonList = lazy(() => import("./LessonList.js"), "LessonList");
 const MapPanel = lazy(() => import("./MapPanel.js"), "MapPanel");
-const LongRun = lazy(() => import("./LongRun.js"), "LongRun");
+const More = lazy(() => Promise.all([import("./More.js"), loadLessons()]).then(([module]) => module), "More");
+const Play = lazy(() => import("./Play.js"), "Play");
 const MeasureTable = lazy(() => import("./MeasureTable.js"), "MeasureTable");
 
 const WAVE_PANELS = Object.fromEntries(["waves", "voice", "folds", "compare"].map((key) => [key, PANELS[key]]));
@@ -45,7 +41,7 @@ const CONTENT = {
   `,
   numbers: () => html`<div class="headlines">${HEADLINES.map((item) => html`<${Headline} key=${item.key} item=${item} shown=${result.value} />`)}</div><${MeasureTable} />`,
   map: () => html`<${MapPanel} />`,
-  more: () => html`<${SoundControls} /><${HistoryTools} /><button type="button" class="button" onClick=${() => openDialog("keep")}>${KEEP.title}</button><h2>${LESSONS.title}</h2><${LessonList} /><${HistoryList} /><${Variants} /><h2>${RUN.title}</h2><${LongRun} /><${Use} />`,
+  more: () => html`<${More} />`,
 };
 
 export function Phone() {
@@ -54,11 +50,11 @@ export function Phone() {
       <${TopBar} />
       <main class="phone-top">
         <${Stage} compact=${true} />
-        <div class="phone-state"><${PhonationState} /><${SoundControls} /></div>
+        <div class="phone-state"><${PhonationState} withLook=${true} /><${SoundControls} /></div>
       </main>
       ${lesson.value && html`<${LessonCard} />`}
       <${TabList} name="tab" texts=${TABS} chosen=${tab.value} choose=${setTab} />
-      <section class=${`phone-content tab-${tab.value}`} role="tabpanel" id="tab-content" aria-labelledby=${`tab-${tab.value}`}>${CONTENT[tab.value]()}</section>
+      <section key=${tab.value} class=${`phone-content tab-${tab.value}`} role="tabpanel" id="tab-content" aria-labelledby=${`tab-${tab.value}`}>${CONTENT[tab.value]()}</section>
     </div>
   `;
 }

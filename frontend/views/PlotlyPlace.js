@@ -1,25 +1,34 @@
-/** A Plotly figure that follows state: `figure()` reads signals and answers {traces, layout}; `onPick(point)` on a click. */
+/**
+ * A Plotly figure that follows state: `figure()` reads signals and answers {traces, layout}; `onPick(point)` on a click.
+ * Among what can be kept it is called `title`, and the file has it under `heading`.
+ */
 import { effect, html, useEffect, useRef, useState } from "../ui.js";
-import { loadPlotly } from "../plots/plotly.js";
-import { PAPER } from "../texts-paper.js";
+import { offer } from "../plots/figures.js";
+import { loadPlotly, plotlyFile } from "../plots/plotly.js";
+import { palette } from "../plots/theme.js";
+import { PAPER } from "../texts.js";
 
 const CONFIG = { displayModeBar: false, responsive: true, scrollZoom: false, doubleClick: false };
 
-export function PlotlyPlace({ name, label, figure, onPick }) {
+export function PlotlyPlace({ name, label, title = label, heading = label, figure, onPick }) {
   const place = useRef(null);
   const [note, setNote] = useState("");
   const pick = useRef(onPick);
   pick.current = onPick;
+  const latest = useRef(heading);
+  latest.current = heading;
   useEffect(() => {
     const element = place.current;
     let plotly = null;
     let gone = false;
     let stop = () => {};
+    let withdraw = () => {};
     loadPlotly().then(
       (loaded) => {
         if (gone) return;
         plotly = loaded;
         let bound = false;
+        withdraw = offer({ name, title, make: (kind) => plotlyFile(element, kind, palette.peek().panel, latest.current) });
         stop = effect(() => {
           const { traces, layout } = figure();
           plotly.react(element, traces, layout, CONFIG);
@@ -32,6 +41,7 @@ export function PlotlyPlace({ name, label, figure, onPick }) {
     return () => {
       gone = true;
       stop();
+      withdraw();
       plotly?.purge(element);
     };
   }, []);

@@ -6,17 +6,17 @@ import { drawWaves, stackLayout } from "../plots/wave-draw.js";
 import { paperPalette, smallFont } from "../plots/theme.js";
 import { steadyLimits } from "../plots/axis.js";
 import { waveRows } from "../plots/waves.js";
+import { isVoiced } from "../result.js";
 import { held } from "../state/compare.js";
 import { setNotes, notes } from "../state/notes.js";
 import { posture, result } from "../state/outcome.js";
 import { catalogue, preset, schema, values } from "../state/request.js";
 import { tract } from "../state/tract.js";
 import { Symbol } from "../symbol.js";
-import { APP, CLOSURE, HEADLINES, MEASURE, STAGE, STATES, WAVES } from "../texts.js";
-import { COMPARE, REPORT, VOICE } from "../texts-views.js";
+import { APP, CLOSURE, COMPARE, HEADLINES, MEASURE, REPORT, STAGE, STATES, VOICE, WAVES } from "../texts.js";
 import { changeText } from "./ComparePanel.js";
 import { Dialog } from "./Dialog.js";
-import { expected, valueText } from "./measure-text.js";
+import { rangeOf, valueText } from "./measure-text.js";
 import { paperStage, paintStage } from "./Stage.js";
 import { shortName, valueOf } from "./settings-text.js";
 
@@ -34,7 +34,7 @@ export function ReportDialog() {
       <article class="report on-white" aria-label=${REPORT.title}>
         <header>
           <h3>${REPORT.head}${preset.value && html`: ${preset.value.label}`}</h3>
-          <p><b>${STATES[shown.state]}.</b> ${posture.value && `${STAGE.atRest} ${CLOSURE[posture.value.static_shape.closure_pattern]}.`} ${MEASURE.cycles(shown.cycles)}</p>
+          <p><b>${STATES[shown.state]}.</b> ${posture.value && `${STAGE.atRest} ${CLOSURE[posture.value.static_shape.closure_pattern]}.`} ${isVoiced(shown) ? MEASURE.cycles(shown.cycles) : shown.explanation}</p>
         </header>
         <${Settings} />
         <div class="report-pictures">
@@ -70,13 +70,19 @@ function Measures({ shown }) {
             <tr key=${key}>
               <th scope="row">${row.name} <${Symbol} text=${row.symbol} /></th><td>${valueText(measure, row)}</td>
               ${a && html`<td>${valueText(a.result.measures[key], row)}</td><td>${changeText(row, a.result.measures[key], measure)}</td>`}
-              <td>${row.normal_range ? `${expected(row)} (${row.normal_range.source})` : measure?.reason}</td>
+              <td>${remarkOf(row, measure, shown)}</td>
             </tr>
           `;
         })}
       </tbody>
     </table>
   `;
+}
+
+/** Why there is no value, unless the head of the page has said it; else the published range. */
+function remarkOf(row, measure, shown) {
+  if (measure?.reason) return measure.reason === shown.explanation ? "" : measure.reason;
+  return row.normal_range && REPORT.published(rangeOf(row), row.normal_range.source);
 }
 
 /** A picture painted once, sharp enough for paper. */
@@ -100,7 +106,7 @@ function paintReportStage(context, box) {
 function paintReportSpectrum(context, box) {
   const spectrum = spectrumOf(result.peek());
   const top = 10 * Math.ceil(Math.max(...spectrum.levelDb) / 10);
-  drawSpectrum(context, box, { spectrum, tract: tract.peek(), colours: paperPalette(), top }, UNIT, smallFont(), VOICE);
+  drawSpectrum(context, box, { spectrum, tract: tract.peek(), colours: paperPalette(), top }, UNIT, smallFont(400, UNIT), VOICE);
 }
 
 function paintReportWaves(context, box) {
@@ -109,8 +115,8 @@ function paintReportWaves(context, box) {
   const limits = stack.rows.map((row) => steadyLimits(undefined, row.range, row));
   const layout = stackLayout(box.width, box.height, stack.rows.length, stack.window, UNIT);
   const colours = paperPalette();
-  drawWaves(context, layout, shown, stack, limits, colours, smallFont());
-  context.font = smallFont(600);
+  drawWaves(context, layout, shown, stack, limits, colours, smallFont(400, UNIT));
+  context.font = smallFont(600, UNIT);
   context.textAlign = "left";
   context.textBaseline = "bottom";
   context.fillStyle = colours.ink;

@@ -2,7 +2,6 @@
 import { html } from "../ui.js";
 import { panel, setPanel } from "../state/look.js";
 import { PANELS } from "../texts.js";
-import { Play } from "./Play.js";
 import { Shapes } from "./Shapes.js";
 import { TabList } from "./TabList.js";
 import { Waves } from "./Waves.js";
@@ -14,6 +13,7 @@ const HistoryList = lazy(() => import("./HistoryList.js"), "HistoryList");
 const LessonList = lazy(() => import("./LessonList.js"), "LessonList");
 const MapPanel = lazy(() => import("./MapPanel.js"), "MapPanel");
 const LongRun = lazy(() => import("./LongRun.js"), "LongRun");
+const Play = lazy(() => import("./Play.js"), "Play");
 const VoicePanel = lazy(() => import("./VoicePanel.js"), "VoicePanel");
 const MeasureTable = lazy(() => import("./MeasureTable.js"), "MeasureTable");
 

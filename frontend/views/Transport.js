@@ -2,13 +2,12 @@
 import { html, useComputed } from "../ui.js";
 import { Icon } from "../controls/Icon.js";
 import { RATES, STROBES, holdPhase, moving, readout, setMoving, setSlowdown, setStrobe, slowdown, strobe } from "../state/motion.js";
-import { STAGE } from "../texts.js";
-import { STROBE } from "../texts-views.js";
+import { STAGE, STROBE } from "../texts.js";
 
 export function Transport() {
   const percent = useComputed(() => `${Math.floor(readout.value * 100)}`.padStart(2, "\u2007") + " %");
   const position = useComputed(() => Math.round(readout.value * 1000));
-  const words = useComputed(() => `${Math.floor(readout.value * 100)} percent of the cycle`);
+  const words = useComputed(() => STAGE.phaseWords(Math.floor(readout.value * 100)));
   return html`
     <div class="transport">
       <button type="button" class="icon" aria-label=${moving.value ? STAGE.pause : STAGE.play} title=${`${moving.value ? STAGE.pause : STAGE.play} (M)`} onClick=${() => setMoving(!moving.value)}>

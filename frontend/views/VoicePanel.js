@@ -6,7 +6,7 @@ import { spectrogramOf, spectrumOf } from "../plots/spectrum.js";
 import { palette, rootPx, smallFont } from "../plots/theme.js";
 import { rested } from "../state/rested.js";
 import { tract } from "../state/tract.js";
-import { VOICE } from "../texts-views.js";
+import { VOICE } from "../texts.js";
 import { Picture } from "./Picture.js";
 
 const STEP_DB = 10;
@@ -31,6 +31,7 @@ function tractModel() {
 const painter = (draw) => (context, box, model) => draw(context, box, model, rootPx(), smallFont(), VOICE);
 
 export function VoicePanel() {
+  const [least, most] = VOICE.span(60);
   return html`
     <div class="stacked voice-panel">
       <figure class="plot">
@@ -44,7 +45,7 @@ export function VoicePanel() {
         <${Picture} name="spectrum" title=${VOICE.spectrum} model=${spectrumModel} paint=${painter(drawSpectrum)} label=${VOICE.spectrumPicture} />
       </figure>
       <figure class="plot">
-        <figcaption><h2>${VOICE.spectrogram}</h2><span class="when">${VOICE.span(60)}</span></figcaption>
+        <figcaption><h2>${VOICE.spectrogram}</h2><span class="when width-key">${least} <i></i> ${most}</span></figcaption>
         <${Picture} name="spectrogram" title=${VOICE.spectrogram} model=${spectrogramModel} paint=${painter(drawSpectrogram)} label=${VOICE.spectrogramPicture} />
       </figure>
       <figure class="plot">

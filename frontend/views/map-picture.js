@@ -4,7 +4,7 @@ import { differenceOf, mapOf, samePoints } from "../sweep-table.js";
 import { difference, kept, map, measure } from "../state/map.js";
 import { muscleOf } from "../state/muscles.js";
 import { catalogue, schema, values } from "../state/request.js";
-import { MAP } from "../texts-map.js";
+import { MAP } from "../texts.js";
 
 /** {values, states} of the measure shown, or of its difference from A; null before there is a map. */
 export const shownCells = computed(() => {
@@ -23,12 +23,18 @@ export function axisLabel({ paths: [path, tied] }) {
   return `${row.name}${row.unit === "1" ? "" : ` (${row.unit})`}`;
 }
 
+/** The same in full, where there is room: "Cricothyroid (CT)". */
+function axisName(axis) {
+  const row = schema.value.parameters.get(axis.paths[0]);
+  return row.group === "muscles" && axis.paths.length === 1 ? `${row.name} (${row.short})` : axisLabel(axis);
+}
+
 /** What plots/activation-map.js draws. */
 export function pictureOf(colours) {
   const { axes } = map.value.table;
   const row = catalogue.value.get(measure.value);
   const [y, x] = axes.map((axis) => ({
-    label: axisLabel(axis),
+    label: axisName(axis),
     values: axis.values,
     format: ".4~g",
     colour: axis.paths.length === 1 ? colours[muscleOf(axis.paths[0])] : undefined,

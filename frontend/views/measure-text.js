@@ -1,13 +1,17 @@
 /** Sentences about a measure. Pure. */
 import { numberText } from "../plots/axis.js";
+import { MEASURE } from "../texts.js";
 
-/** "usual 1.3 – 2.8", in the unit shown. */
-export function expected(row, { factor = 1, decimals = row.decimals } = {}) {
+/** The published range, "1.3 – 2.8", in the unit shown. */
+export function rangeOf(row, { factor = 1, decimals = row.decimals } = {}) {
   const { low, high } = row.normal_range;
   const text = (v) => numberText(v * factor, decimals);
   const short = (v) => text(v).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
-  return low === high ? `usual ${short(low)}` : `usual ${short(low)} – ${short(high)}`;
+  return low === high ? short(low) : `${short(low)} – ${short(high)}`;
 }
+
+/** "usual 1.3 – 2.8" */
+export const expected = (row, shown) => MEASURE.usual(rangeOf(row, shown));
 
 /** Value with unit, or a dash. */
 export function valueText(measure, row) {

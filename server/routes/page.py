@@ -1,14 +1,18 @@
 """The page and what it needs: static files, Plotly's bundle from the installed package, the way in."""
 
 import gzip
+import mimetypes
+import stat
 from functools import lru_cache
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
+from typing import NamedTuple
 
 from fastapi import APIRouter, FastAPI, HTTPException, Request, Response
 from fastapi.responses import FileResponse
 from fastapi.staticfiles import StaticFiles
+from starlette.datastructures import Headers
 from starlette.routing import Match, Mount
 from starlette.types import Scope
 
@@ -67,8 +71,41 @@ def _plotly(packed: bool) -> bytes:
     return gzip.compress(content, 6) if packed else content
 
 
+class Kept(NamedTuple):
+    """A file of the page, ready to be sent: read and packed once for as long as it does not change."""
+
+    etag: str
+    media_type: str
+    plain: bytes
+    packed: bytes
+
+
+@lru_cache(maxsize=512)
+def _kept(path: str, changed_ns: int, size: int) -> Kept:
+    plain = Path(path).read_bytes()
+    media_type = mimetypes.guess_type(path)[0] or "application/octet-stream"
+    return Kept(f'W/"{changed_ns:x}-{size:x}"', media_type, plain, gzip.compress(plain, 6))
+
+
 class PageFiles(StaticFiles):
-    """The folder without what makes it a Python package."""
+    """The folder without what makes it a Python package.
+
+    A page asks for some hundred small files at once: they are sent from memory, without a thread and packed already.
+    """
+
+    async def get_response(self, path: str, scope: Scope) -> Response:
+        full, status = self.lookup_path(path)
+        if status is None or not stat.S_ISREG(status.st_mode) or scope["method"] not in ("GET", "HEAD"):
+            return await super().get_response(path, scope)
+        kept = _kept(full, status.st_mtime_ns, status.st_size)
+        asked = Headers(scope=scope)
+        headers = {"ETag": kept.etag, "Vary": "Accept-Encoding"}
+        if kept.etag in asked.get("if-none-match", ""):
+            return Response(status_code=304, headers=headers)
+        packs = "gzip" in asked.get("accept-encoding", "") and len(kept.packed) < len(kept.plain)
+        if packs:
+            headers["Content-Encoding"] = "gzip"
+        return Response(kept.packed if packs else kept.plain, headers=headers, media_type=kept.media_type)
 
     def lookup_path(self, path: str):
         return ("", None) if path.endswith((".py", ".pyc")) else super().lookup_path(path)

@@ -100,6 +100,16 @@ def test_the_map_follows_is_compared_and_kept_as_a_table(visit):
     rows = [line for line in download.value.path().read_text().splitlines() if line and not line.startswith("#")]
     assert len(rows) == 10
     assert "fo_hz" in rows[0]
+    here.page.get_by_role("button", name="Keep", exact=True).click()
+    figure = here.page.locator("[data-figure=map]")
+    with here.page.expect_download() as download:
+        figure.get_by_role("button", name="SVG").click()
+    drawing = download.value.path().read_text()
+    for words in ("B − A: Fundamental frequency (Hz)", "Cricothyroid (CT)", "Thyroarytenoid (TA)"):
+        assert words in drawing
+    with here.page.expect_download() as download:
+        figure.get_by_role("button", name="PNG").click()
+    assert download.value.path().read_bytes()[1:4] == b"PNG"
 
 
 def test_a_long_map_can_be_stopped(visit):

@@ -91,6 +91,11 @@ def test_the_whole_run_opens_to_zoom(visit):
     points = here.page.evaluate("document.querySelector('.plotly-place').data.map((trace) => trace.y.length)")
     assert points == [17500] * 5
     assert here.page.locator(".plotly-place .scatterlayer .js-line").count() == 5
+    buttons = here.page.locator(".modebar-btn").evaluate_all("all => all.map((button) => button.dataset.title)")
+    assert "Download plot as a PNG" in buttons
+    assert not re.search("share|cloud|edit", " ".join(buttons), re.IGNORECASE), "nothing offers to send data away"
+    here.page.keyboard.press("Escape")
+    here.page.wait_for_selector("dialog", state="detached")
 
 
 def test_the_endoscope_turns_the_view_and_anatomy_can_be_hidden(visit):

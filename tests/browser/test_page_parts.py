@@ -184,7 +184,7 @@ def test_advice_fits_the_cause(modules):
 def test_the_address_gives_back_what_was_put_in(modules):
     run = """async () => {
       const { readSchema, defaultValues } = await import("/params.js");
-      const { readQuery, writeQuery } = await import("/url.js");
+      const { linkOf, readQuery, writeQuery } = await import("/url.js");
       const common = { label: "", symbol: "", step: 0.01, group: "" };
       const schema = readSchema({
         parameters: [
@@ -194,9 +194,11 @@ def test_the_address_gives_back_what_was_put_in(modules):
         ],
       });
       const query = writeQuery(schema, { ...defaultValues(schema), "activation.ta": 0.55, vowel: "i" });
-      return [query, readQuery(schema, query), readQuery(schema, "tongue=1").unknown];
+      const link = linkOf(schema, defaultValues(schema), "maps");
+      return [query, readQuery(schema, query), readQuery(schema, "tongue=1").unknown, link];
     }"""
-    query, answer, unknown = modules(run)
+    query, answer, unknown, link = modules(run)
     assert query == "activation.ta=0.55&vowel=i"
     assert answer == {"changes": {"activation.ta": 0.55, "vowel": "i"}, "unknown": []}
     assert unknown == ["tongue"]
+    assert link.endswith("?paper=maps"), "a link copied in a section opens that section"

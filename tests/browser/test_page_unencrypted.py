@@ -27,6 +27,13 @@ def elsewhere(launch):
         browser.close()
 
 
+def pasted(here) -> str:
+    """What the clipboard holds, by pasting it into a field."""
+    held = here.page.evaluate_handle(f"() => ({{ text: ({PASTED})() }})")
+    here.page.keyboard.press("Control+V")
+    return held.evaluate("async (held) => await held.text")
+
+
 def test_a_shared_link_survives_the_way_in_and_the_page_says_what_needs_tls(elsewhere):
     browser, address = elsewhere
     here = Visit(browser.new_context(viewport=DESK), address)
@@ -42,9 +49,17 @@ def test_a_shared_link_survives_the_way_in_and_the_page_says_what_needs_tls(else
     here.page.get_by_role("button", name="Copy link").click()
     assert "Link copied" in here.page.locator(".notice").inner_text()
     assert here.page.evaluate("document.activeElement.textContent").strip() == "Copy link", "the focus stays"
-    pasted = here.page.evaluate_handle(f"() => ({{ text: ({PASTED})() }})")
-    here.page.keyboard.press("Control+V")
-    assert pasted.evaluate("async (held) => await held.text") == f"{address}/?activation.ct=0.5"
+    assert pasted(here) == f"{address}/?activation.ct=0.5"
+    here.page.get_by_role("tab", name="Measures").click()
+    here.page.get_by_role("button", name="Copy as table").click()
+    here.page.get_by_text("Copied: paste it").wait_for()
+    assert pasted(here).startswith("Measure\tSymbol\tValue")
+    here.page.get_by_role("button", name="Keep").click()
+    here.page.get_by_role("button", name="As Python or curl").click()
+    here.page.get_by_role("button", name="Copy", exact=True).first.click()
+    here.page.get_by_text("Copied.").wait_for()
+    here.page.keyboard.press("Escape")
+    assert pasted(here).startswith("import vfcore"), "from within a dialog too"
     here.page.keyboard.press("?")
     assert "--tls-cert" in here.page.get_by_role("dialog").inner_text(), "the help says what to do about it"
     assert here.complaints == [] and here.strangers == []

@@ -17,6 +17,12 @@ INK = """name => {
     if ([0, 1, 2, 3].some((c) => data[k + c] !== data[c])) different++;
   return (4 * different) / data.length;
 }"""
+#: Once the heavy pictures have taken up the newest voice and the view of the open tab has been fetched.
+RESTED = """async () => {
+  const [{ rested }, { result }] = await Promise.all([import("/state/rested.js"), import("/state/outcome.js")]);
+  const frame = () => new Promise(requestAnimationFrame);
+  while (rested.value !== result.value || !document.querySelector("[role=tabpanel] > *")) await frame();
+}"""
 FRAMES = "n => new Promise(done => { const f = () => (n-- > 0 ? requestAnimationFrame(f) : done()); f(); })"
 
 
@@ -51,6 +57,12 @@ class Visit:
     def settle(self) -> None:
         """Wait until what is shown answers what is set, and is painted."""
         self.page.wait_for_selector(SETTLED)
+        self.page.evaluate(FRAMES, 3)
+
+    def painted(self) -> None:
+        """Wait until what costs more than a frame is painted too: it follows once the hand rests."""
+        self.settle()
+        self.page.evaluate(RESTED)
         self.page.evaluate(FRAMES, 3)
 
     def hold_still(self, phase: int = 300) -> None:

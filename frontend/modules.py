@@ -1,0 +1,36 @@
+"""What the page fetches first, told to browsers in one go: without it they find module after module, level by level.
+
+``python -m vocalis_frontend.modules`` writes the list into index.html; a test holds it to what the modules import.
+"""
+
+import re
+from pathlib import Path
+
+FOLDER = Path(__file__).parent
+INDEX = FOLDER / "index.html"
+IMPORT = re.compile(
+    r"""^(?:import|export|\}).*?["'](\.{1,2}/[^"']+\.js)["'];?|(?:from|import)["'](\.{1,2}/[^"']+\.js)["']""", re.M
+)
+LINE = '  <link rel="modulepreload" href="{}">\n'
+LINES = re.compile(r'(?:  <link rel="modulepreload" href="[^"]+">\n)*(?=  <script type="module")')
+
+
+def needed(first: str = "main.js") -> list[str]:
+    """Modules that ``first`` needs before it runs, as they are found: those it imports, those they import …"""
+    found = [first]
+    for name in found:
+        path = FOLDER / name
+        for match in IMPORT.finditer(path.read_text(encoding="utf-8")):
+            other = (path.parent / (match[1] or match[2])).resolve().relative_to(FOLDER).as_posix()
+            if other not in found:
+                found.append(other)
+    return found[1:]
+
+
+def with_list(page: str) -> str:
+    """The page with its list made anew."""
+    return LINES.sub("".join(map(LINE.format, needed())), page, count=1)
+
+
+if __name__ == "__main__":
+    INDEX.write_text(with_list(INDEX.read_text(encoding="utf-8")), encoding="utf-8")
