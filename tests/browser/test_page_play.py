@@ -10,7 +10,8 @@ from tests.browser.test_page_sound import pitch_hz
 
 pytestmark = pytest.mark.alone
 
-STANDS_STILL_S = 0.05
+#: Of the time that a voice sounds: how much may be missing on a machine that does other things as well.
+SILENT_SHARE = 0.05
 
 
 @pytest.fixture
@@ -19,23 +20,15 @@ def played(visit):
     return Played(visit(init=TAPE, bypass_csp=True))
 
 
-def without_gaps(played: Played, watch: Watch) -> None:
-    """The worklet never ran dry and no sample is missing; a machine that stood still meanwhile proves nothing."""
-    gaps = played.gaps() + played.missing
-    if gaps and watch.longest_s > STANDS_STILL_S:
-        pytest.skip(f"{gaps} gaps, but this machine let threads wait for {1e3 * watch.longest_s:.0f} ms")
-    assert gaps == 0, f"threads waited for at most {1e3 * watch.longest_s:.0f} ms"
-
-
 def computed_hz(ct: float) -> float:
     """Pitch of the still voice."""
     return vfcore.simulate(vfcore.Simulation(activation=vfcore.Activation(ct=ct))).report.measures["fo_hz"].value
 
 
-def quietest(sound: np.ndarray) -> float:
-    """The smallest peak within any 20 ms."""
+def silent_share(sound: np.ndarray) -> float:
+    """Of the pieces of 20 ms: how many are silent."""
     whole = sound[: len(sound) // 960 * 960].reshape(-1, 960)
-    return float(np.abs(whole).max(axis=1).min())
+    return float((np.abs(whole).max(axis=1) < 0.2 * np.abs(sound).max()).mean())
 
 
 def test_sound_goes_on_and_follows_slider_keyboard_and_pad(played, capsys):
@@ -69,13 +62,13 @@ def test_sound_goes_on_and_follows_slider_keyboard_and_pad(played, capsys):
     p50, p95 = np.percentile(times, [50, 95])
     with capsys.disabled():
         print(f"\nslider to sound: {len(times)} movements, p50 {p50:.0f} ms, p95 {p95:.0f} ms, max {max(times):.0f} ms")
+        print(f"{played.gaps() + played.missing} gaps; threads waited for at most {1e3 * watch.longest_s:.0f} ms")
     assert np.abs(sound).max() > 0.02
     assert pitches[1] > pitches[0] + 30, "CT is the pitch muscle"
     assert pitches[:2] == pytest.approx(wanted, rel=0.01), "it is the model's pitch"
     assert shown == pytest.approx(pitch_hz(sound[last], RATE), rel=0.01), "the page says what sounds"
     assert len(times) > 20 and p95 < 1000, "a busy machine may be slow, but nothing piles up"
-    without_gaps(played, watch)
-    assert quietest(sound[begin:end]) > 0.2 * np.abs(sound).max(), "never silent for 20 ms"
+    assert silent_share(sound[begin:end]) < SILENT_SHARE
 
 
 def test_p_starts_and_stops_and_the_help_says_so(played):
@@ -126,6 +119,7 @@ def test_a_minute_without_a_gap(played):
             played.sway(f"activation.{muscle}", 15)
             played.here.slider(f"activation.{muscle}").dblclick()
         sound = played.tape()[begin:]
-        without_gaps(played, watch)
+    gaps = played.gaps() + played.missing
+    assert gaps == 0, f"{gaps} gaps; threads of this machine waited for at most {1e3 * watch.longest_s:.0f} ms"
     assert len(sound) > 60 * RATE
     assert np.abs(sound).max() > 0.02
