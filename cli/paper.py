@@ -36,7 +36,7 @@ with a stated difference; fail: neither.
 - `vocalis paper --variant human` — the same claims on a voice of human size, coupled to its airways
 - `vocalis paper --variant paper --html report.html` — with a picture for each claim
 - `vocalis paper --only M2,M3,S1` — some claims, a few seconds
-- `vocalis paper --study` — what becomes of the score when a free choice is made otherwise, some ten minutes
+- `vocalis paper --study` — what becomes of the score when a free choice is made otherwise, some minutes
 - `vocalis paper --convergence` — three voices on finer grids and shorter steps; both shears on more rows
 """
 _STYLES = {"pass": "green", "deviation": "yellow", "fail": "red"}
