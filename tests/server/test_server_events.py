@@ -2,7 +2,7 @@
 
 from itertools import islice
 
-from tests.server.live_server import LONG, SHORT, events, finish, run, serving
+from tests.server.live_server import LONG, SHORT, events, finish, run, serving, wait_until
 
 SECONDS = {"run": {"duration_s": 10}}
 
@@ -81,5 +81,10 @@ def test_a_client_has_a_limited_number_of_streams_and_gets_places_back():
         assert refused.status_code == 429
         assert "2 event streams" in refused.json()["detail"] and refused.headers["retry-after"]
         open_streams.pop().close()
-        next(iter(events(client, "/events")))
+
+        def has_a_place() -> bool:  # once the server has seen the other one end
+            with client.stream("GET", "/events") as answer:
+                return answer.status_code == 200
+
+        wait_until(has_a_place)
         client.delete(f"/jobs/{job['id']}")
