@@ -47,6 +47,7 @@ export function followRequest() {
   const voices = new Lane(
     (job) => ask("voice", job.body),
     (answer, job) => {
+      setConnection("ready"); // where the shape was at hand no other call says so
       takeResult(answer, job.version);
       afterPaint(() => recordShown("slider to all", job.version));
     },

@@ -2,6 +2,8 @@
 
 import re
 
+import pytest
+
 from tests.browser.conftest import server_process
 
 SILENT = "?activation.lca=0.2&activation.ia=0.2&activation.pca=1&subglottal_pressure_pa=300"
@@ -74,8 +76,13 @@ def test_the_first_start_shows_what_is_going_on(visit):
     assert here.state() == "Periodic phonation"
 
 
-def test_a_server_that_falls_silent_is_said_and_found_again(visit):
+@pytest.mark.parametrize("shapes_at_hand", [False, True])
+def test_a_server_that_falls_silent_is_said_and_found_again(visit, shapes_at_hand):
     here = visit()
+    if shapes_at_hand:
+        with here.page.expect_response(lambda response: response.url.endswith("/postures")):
+            here.slider("activation.ct").hover()
+        here.page.wait_for_load_state("networkidle")
     here.expected = re.compile("ERR_FAILED")
     calls = re.compile(r"api/v1/(posture|simulate)")
     here.page.route(calls, lambda route: route.abort())
