@@ -6,8 +6,8 @@ from pydantic import BaseModel, Field
 
 from vfcore.errors import ParameterError
 from vfcore.params import Simulation
-from vfcore.request import numeric_paths
-from vfcore.sweep.paths import check_value, with_numbers
+from vfcore.request import numeric_paths, with_numbers
+from vfcore.sweep.paths import check_value
 from vocalis_server.request_schema import STRICT, PostureBody, simulation_of
 
 #: A posture and its shape take about 1 ms: this many hold up no other call by more than a frame or two.

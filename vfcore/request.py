@@ -128,3 +128,27 @@ def numeric_paths() -> tuple[str, ...]:
     paths += ["run.duration_s", "run.nx", "run.ny", "run.time_step_s", "run.pressure_rise_s"]
     paths += [f"constants.{name}" for name in (*FOLD_NAMES, *constant_names())]
     return tuple(paths)
+
+
+def with_numbers(base: Simulation, values: Mapping[str, float]) -> Simulation:
+    """``base`` with the numbers at these paths; ParameterError where they do not go together."""
+    changes: dict[str, Any] = {}
+    parts: dict[str, dict[str, float]] = {}
+    for path, value in values.items():
+        part, _, name = path.rpartition(".")
+        if part:
+            parts.setdefault(part, {})[name] = value
+        else:
+            changes[name] = value
+    for part in ("activation", "posture", "run"):
+        if part in parts:
+            old = getattr(base, part)
+            changes[part] = PostureOverride(**parts[part]) if old is None else dataclasses.replace(old, **parts[part])
+    if constants := parts.get("constants"):
+        fold = {name: value for name, value in constants.items() if name in FOLD_NAMES}
+        muscles = {name: value for name, value in constants.items() if name not in FOLD_NAMES}
+        if fold:
+            changes["constants"] = dataclasses.replace(base.constants, **fold)
+        if muscles:
+            changes["posturing"] = base.posturing.override_all(muscles)
+    return dataclasses.replace(base, **changes)

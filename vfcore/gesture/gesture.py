@@ -13,7 +13,8 @@ from typing import Any
 from vfcore.errors import ParameterError
 from vfcore.gesture.track import Track, track_from_pairs
 from vfcore.params import VOWELS, Simulation
-from vfcore.request import FOLD_NAMES, numeric_paths, simulation_from_dict, simulation_to_dict
+from vfcore.request import numeric_paths, simulation_from_dict, simulation_to_dict
+from vfcore.request import with_numbers as changed
 
 MOVABLE = tuple(path for path in numeric_paths() if not path.startswith("run."))
 
@@ -114,15 +115,8 @@ def with_number(request: Simulation, path: str, value: float) -> Simulation:
 
 
 def with_numbers(request: Simulation, values: Mapping[str, float]) -> Simulation:
-    """The same with several numbers at once."""
-    parts: dict[str, dict[str, float]] = {}
-    for path, value in values.items():
-        group, _, name = path.rpartition(".")
-        if group == "posture" and request.posture is None:
+    """The same with several numbers at once; a posture that is not given does not move."""
+    for path in values:
+        if path.startswith("posture.") and request.posture is None:
             raise ParameterError(path, "moves a posture that is not given", "a request with a posture of its own")
-        parts.setdefault("posturing" if group == "constants" and name not in FOLD_NAMES else group, {})[name] = value
-    changes: dict[str, Any] = parts.pop("", {})
-    if "posturing" in parts:
-        changes["posturing"] = request.posturing.override_all(parts.pop("posturing"))
-    changes |= {group: replace(getattr(request, group), **numbers) for group, numbers in parts.items()}
-    return replace(request, **changes) if changes else request
+    return changed(request, values)

@@ -12,8 +12,6 @@ from vfcore.params import PostureOverride, Simulation
 from vfcore.request import FOLD_NAMES, numeric_paths
 from vfcore.schema import parameter_schema
 
-_PARTS = ("activation", "posture", "run")
-
 
 @cache
 def numbers() -> dict[str, dict[str, Any]]:
@@ -38,30 +36,6 @@ def check_value(path: str, value: Any, at: str) -> float | int:
     whole = row["type"] == "integer"
     check_number(at, value, row["min"], row["max"], row["unit"], integer=whole)
     return int(value) if whole else float(value) + 0.0  # -0.0 is 0.0
-
-
-def with_numbers(base: Simulation, values: Mapping[str, float]) -> Simulation:
-    """``base`` with the numbers at these paths; ParameterError where they do not go together."""
-    changes: dict[str, Any] = {}
-    parts: dict[str, dict[str, float]] = {}
-    for path, value in values.items():
-        part, _, name = path.rpartition(".")
-        if part:
-            parts.setdefault(part, {})[name] = value
-        else:
-            changes[name] = value
-    for part in _PARTS:
-        if part in parts:
-            old = getattr(base, part)
-            changes[part] = PostureOverride(**parts[part]) if old is None else dataclasses.replace(old, **parts[part])
-    if constants := parts.get("constants"):
-        fold = {name: value for name, value in constants.items() if name in FOLD_NAMES}
-        muscles = {name: value for name, value in constants.items() if name not in FOLD_NAMES}
-        if fold:
-            changes["constants"] = dataclasses.replace(base.constants, **fold)
-        if muscles:
-            changes["posturing"] = base.posturing.override_all(muscles)
-    return dataclasses.replace(base, **changes)
 
 
 def document_with_numbers(document: dict[str, Any], values: Mapping[str, float], default: "Defaults") -> dict[str, Any]:

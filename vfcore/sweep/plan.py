@@ -10,7 +10,8 @@ import numpy as np
 
 from vfcore.content import canonical, content_hash
 from vfcore.params import Simulation
-from vfcore.sweep.paths import Defaults, document_with_numbers, numbers, with_numbers
+from vfcore.request import with_numbers
+from vfcore.sweep.paths import Defaults, document_with_numbers, numbers
 
 
 @dataclass(frozen=True, slots=True)
