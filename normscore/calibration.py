@@ -1,14 +1,17 @@
-"""The designed study behind the variant ``human``: which constants, in which posture, are nearest to the norms.
+"""The designed study behind the variant ``human``: constants that meet published norms and keep the paper's trends.
 
-A Latin hypercube over the constants that may change and over the posture, then a second one in a smaller box around
-the best candidate; every candidate is run and judged by the norms themselves, with two-way coupling. Run it with
-`vocalis norms --study`. Ranges are those in which the constants have been measured or used; see vfcore.variants.
+A Latin hypercube over the constants that may change, then others in ever smaller boxes around the best candidate so
+far; all with two-way coupling. A norm fixes no muscles: a candidate is judged by the norms in several postures and
+stands with the best of them. Where it meets enough norms there, the paper's claims are judged as well, on coarse maps
+and runs of half a second. Run it with `vocalis norms --study`. Ranges are those in which the constants have been
+measured or used; see vfcore.variants.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
-from math import log
+from dataclasses import dataclass, replace
+from functools import partial
+from math import log, sqrt
 from typing import Any, NamedTuple
 
 from scipy.stats import qmc, spearmanr
@@ -19,11 +22,15 @@ from vfcore.request import simulation_from_dict
 from vocalis_norms.efforts import requests
 from vocalis_norms.norms import FIFTEEN, NORMS
 from vocalis_norms.score import answer, judged
-from vocalis_paper.run import warm_up
+from vocalis_paper.bands import FAIL, PASS
+from vocalis_paper.run import gather, warm_up
 from vocalis_paper.run_document import provenance
+from vocalis_paper.run_score import cases_for, judge
+from vocalis_paper.study import PHYSICS, coarse
 
 _PAPER = FoldConstants()
 Progress = Callable[[int, int], None]
+Values = dict[str, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,47 +43,84 @@ class Factor:
     high: float
 
 
-FACTORS = (
-    Factor("C_coup_pa_s_m", "Pa·s/m", 300, 1000),
-    Factor("A_muc_0_m2", "m²", 5e-6, 1.1e-5),
-    Factor("K_col_pa_m", "Pa/m", 8e5, 2.2e6),
-    Factor("K_coup_ratio", "1", 0.8, 1.5),
-    Factor("lca_ia", "1", 0.45, 0.8),
-    Factor("ct", "1", 0.1, 0.45),
-    Factor("ta", "1", 0.05, 0.5),
+#: K_coup_level multiplies both ends of the coupling stiffness, K_coup_contrast the ratio of the two.
+CONSTANTS = (
+    Factor("C_coup_pa_s_m", "Pa·s/m", 40, 900),
+    Factor("A_muc_0_m2", "m²", 5e-6, 1.2e-5),
+    Factor("K_coup_level", "1", 1.2, 5.0),
+    Factor("K_coup_contrast", "1", 0.3, 2.0),
+    Factor("K_col_pa_m", "Pa/m", 8e5, 4e6),
+    Factor("C_col_pa_s_m", "Pa·s/m", 60, 600),
+    Factor("eta_m_pa_s", "Pa·s", 0.4, 2.5),
+    Factor("G_m_pa", "Pa", 30, 300),
 )
-FIRST_ROUND, SECOND_ROUND = 240, 120
-#: The second box: this share of each factor's logarithmic range, around the best candidate of the first.
-SECOND_BOX = 0.35
+POSTURE = (
+    Factor("lca_ia", "1", 0.4, 0.8),
+    Factor("ct", "1", 0.05, 0.4),
+    Factor("ta", "1", 0.12, 0.5),
+    Factor("pca", "1", 0.02, 0.22),
+)
+FACTORS = (*CONSTANTS, *POSTURE)
+#: Each round: how many candidates, in what share of each factor's logarithmic range.
+ROUNDS = ((80, 1.0), (40, 0.4), (30, 0.2))
+POSTURES = 10
+#: Norms that a variant must meet, and those from which on the claims are judged, to see what they cost.
+WANTED, ENOUGH = 12, 10
+CLAIMS_RUN_S = 0.5
 SEED = 20261125
 
 
 class Candidate(NamedTuple):
-    """One candidate: its factors, the judged norms, and how far those out of range are, in widths of their ranges."""
+    """One candidate: its factors, the judged norms, how far those out of range are, in widths of their ranges, and
+    the verdicts of the paper's claims by key; None: it meets too few norms to be asked.
+    """
 
-    values: dict[str, float]
+    values: Values
     judged: dict[str, Any]
     distance: float
+    claims: dict[str, str] | None = None
 
     @property
-    def rank(self) -> tuple[int, float]:
-        return -self.judged["in_range"], self.distance
+    def in_range(self) -> int:
+        return self.judged["in_range"]
+
+    def count(self, verdict: str) -> int:
+        return sum(found == verdict for found in (self.claims or {}).values())
+
+    @property
+    def by_norms(self) -> tuple[int, float]:
+        return -self.in_range, self.distance
+
+    @property
+    def rank(self) -> tuple[float, ...]:
+        """The wanted norms first, then the fewest claims that fail and the most that pass."""
+        missing = max(WANTED - self.in_range, 0) if self.claims else WANTED
+        return missing, self.count(FAIL), -self.count(PASS), *self.by_norms
+
+    def beats(self, other: "Candidate") -> bool:
+        """Whether it is as good in norms, claims that pass and claims that fail, and better in one of them."""
+        mine, its = ((c.in_range, c.count(PASS), -c.count(FAIL)) for c in (self, other))
+        return mine != its and all(a >= b for a, b in zip(mine, its, strict=True))
 
 
 def base_of(values: Mapping[str, float]) -> Simulation:
     """The request of a candidate, two-way coupled, all constants but the factors the paper's."""
-    ratio = values["K_coup_ratio"]
+    spread = sqrt(values["K_coup_contrast"])
+    own = {f.name: values[f.name] for f in CONSTANTS if f.name in FoldConstants.__dataclass_fields__}
     return simulation_from_dict(
         {
             "model": {"coupling": "two_way"},
-            "activation": {"lca": values["lca_ia"], "ia": values["lca_ia"], "ct": values["ct"], "ta": values["ta"]},
+            "activation": {
+                "lca": values["lca_ia"], "ia": values["lca_ia"],
+                **{name: values[name] for name in ("ct", "ta", "pca")},
+            },
             "constants": {
-                **{name: values[name] for name in ("C_coup_pa_s_m", "A_muc_0_m2", "K_col_pa_m")},
-                "K_coup_min_pa_m": _PAPER.K_coup_min_pa_m * ratio,
-                "K_coup_max_pa_m": _PAPER.K_coup_max_pa_m * ratio,
+                **own,
+                "K_coup_min_pa_m": _PAPER.K_coup_min_pa_m * values["K_coup_level"] / spread,
+                "K_coup_max_pa_m": _PAPER.K_coup_max_pa_m * values["K_coup_level"] * spread,
             },
         }
-    )
+    )  # fmt: skip
 
 
 def distance(rows: Mapping[str, Mapping[str, Any]]) -> float:
@@ -89,68 +133,109 @@ def distance(rows: Mapping[str, Mapping[str, Any]]) -> float:
     return total
 
 
-def try_out(values: dict[str, float]) -> Candidate:
-    """Run and judge one candidate, in a worker."""
+def in_best_posture(postures: Sequence[Values], constants: Values) -> Candidate:
+    """Run and judge one set of constants by the norms in each posture, in a worker; the best of them."""
+    return min((_by_norms(constants | posture) for posture in postures), key=lambda candidate: candidate.by_norms)
+
+
+def _by_norms(values: Values) -> Candidate:
     result = judged({name: answer(request) for name, request in requests(base_of(values)).items()})
     return Candidate(values, result, distance(result["norms"]))
 
 
-def design(factors: Sequence[Factor], count: int, seed: int) -> list[dict[str, float]]:
+def with_claims(candidate: Candidate, pool: ProcessPoolExecutor) -> Candidate:
+    """The candidate with the paper's claims judged, if it meets enough norms."""
+    if candidate.in_range < ENOUGH:
+        return candidate
+    base = base_of(candidate.values)
+    base = replace(base, run=replace(base.run, duration_s=CLAIMS_RUN_S))
+    cases = {key: coarse(case) for key, case in cases_for(base, PHYSICS).items()}
+    outcomes = judge(gather(cases, pool).evidence, PHYSICS)
+    return candidate._replace(claims={key: str(outcome.verdict) for key, outcome in outcomes.items()})
+
+
+def design(factors: Sequence[Factor], count: int, seed: int) -> list[Values]:
     """``count`` candidates on a Latin hypercube over the logarithms of the factors."""
     cube = qmc.LatinHypercube(len(factors), seed=seed).random(count)
     return [{f.name: f.low * (f.high / f.low) ** float(u) for f, u in zip(factors, row, strict=True)} for row in cube]
 
 
-def around(best: Mapping[str, float]) -> tuple[Factor, ...]:
-    """The smaller box: SECOND_BOX of each range, centred on the best candidate and kept inside the first box."""
+def around(best: Mapping[str, float], factors: Sequence[Factor], share: float) -> tuple[Factor, ...]:
+    """A smaller box: ``share`` of each logarithmic range, centred on the best candidate and kept inside the first."""
     boxes = []
-    for f in FACTORS:
-        half = (f.high / f.low) ** (SECOND_BOX / 2)
+    for f in factors:
+        half = (f.high / f.low) ** (share / 2)
         boxes.append(Factor(f.name, f.unit, max(f.low, best[f.name] / half), min(f.high, best[f.name] * half)))
     return tuple(boxes)
 
 
 def study_document(
-    pool: ProcessPoolExecutor, progress: Progress = lambda done, total: None, first=FIRST_ROUND, second=SECOND_ROUND
+    pool: ProcessPoolExecutor,
+    progress: Progress = lambda done, total: None,
+    rounds: Sequence[tuple[int, float]] = ROUNDS,
 ) -> dict[str, Any]:
-    """Run the study: the best candidates, and how each factor moves each norm (rank correlation, first round)."""
-    plan = design(FACTORS, first, SEED)
-    warm_up(base_of(plan[0]))
-    total, found = first + second, []
-    for candidate in pool.map(try_out, plan, chunksize=2):
-        found.append(candidate)
-        progress(len(found), total)
-    effects = _effects(found)
-    best = min(found, key=lambda candidate: candidate.rank)
-    for candidate in pool.map(try_out, design(around(best.values), second, SEED + 1), chunksize=2):
-        found.append(candidate)
-        progress(len(found), total)
+    """Run the study: the best candidates, those that no other beats, and how the constants move what is judged."""
+    warm_up(base_of(design(FACTORS, 1, SEED)[0]))
+    found: list[Candidate] = []
+    boxes, effects = (CONSTANTS, POSTURE), {}
+    for number, (count, share) in enumerate(rounds):
+        if found:
+            best = min(found, key=lambda candidate: candidate.rank).values
+            boxes = (around(best, CONSTANTS, share), around(best, POSTURE, share))
+        postures = design(boxes[1], POSTURES, SEED + number)
+        plan = design(boxes[0], count, SEED + number)
+        for candidate in pool.map(partial(in_best_posture, postures), plan):
+            found.append(with_claims(candidate, pool))
+            progress(len(found), sum(planned for planned, _ in rounds))
+        effects = effects or _effects(found)
+    ranked = sorted(found, key=lambda candidate: candidate.rank)
     return {
         "kind": "calibration",
         "provenance": provenance(),
         "factors": [{"name": f.name, "unit": f.unit, "low": f.low, "high": f.high} for f in FACTORS],
         "candidates": len(found),
-        "best": [_plain(candidate) for candidate in sorted(found, key=lambda candidate: candidate.rank)[:10]],
+        "judged_by_claims": sum(candidate.claims is not None for candidate in found),
+        "best": [_plain(candidate) for candidate in ranked[:10]],
+        "front": [_plain(candidate) for candidate in front(ranked)],
         "effects": effects,
     }
 
 
+def front(found: Iterable[Candidate]) -> list[Candidate]:
+    """The candidates that none beats in norms and claims at once, most norms first; of equals the first."""
+    asked = [candidate for candidate in found if candidate.claims is not None]
+    kept = {}
+    for candidate in asked:
+        if not any(other.beats(candidate) for other in asked):
+            kept.setdefault((candidate.in_range, candidate.count(PASS), candidate.count(FAIL)), candidate)
+    return [kept[key] for key in sorted(kept, reverse=True)]
+
+
 def _effects(found: Sequence[Candidate]) -> dict[str, dict[str, float]]:
-    table = {}
-    for key in FIFTEEN:
-        numbers = [(c.values, c.judged["norms"][key]["value"]) for c in found]
-        numbers = [(values, value) for values, value in numbers if value is not None]
-        table[key] = {
-            f.name: round(float(spearmanr([log(v[f.name]) for v, _ in numbers], [x for _, x in numbers]).statistic), 2)
-            for f in FACTORS
-        }
+    table = {key: _correlations((c.values, c.judged["norms"][key]["value"]) for c in found) for key in FIFTEEN}
+    asked = [candidate for candidate in found if candidate.claims is not None]
+    for verdict in (PASS, FAIL):
+        table[f"claims that {verdict}"] = _correlations((c.values, c.count(verdict)) for c in asked)
     return table
+
+
+def _correlations(numbers: Iterable[tuple[Values, float | None]]) -> dict[str, float]:
+    """Rank correlation of a number with each constant."""
+    known = [(values, value) for values, value in numbers if value is not None]
+    column = [value for _, value in known]
+    if len(set(column)) < 2:  # what never moves goes with nothing
+        return dict.fromkeys((f.name for f in CONSTANTS), 0.0)
+    return {
+        f.name: round(float(spearmanr([log(values[f.name]) for values, _ in known], column).statistic), 2)
+        for f in CONSTANTS
+    }
 
 
 def _plain(candidate: Candidate) -> dict[str, Any]:
     return {
         "values": {name: float(f"{value:.3g}") for name, value in candidate.values.items()},
-        "in_range": candidate.judged["in_range"],
+        "in_range": candidate.in_range,
         "distance": round(candidate.distance, 3),
         "norms": {key: candidate.judged["norms"][key]["value"] for key in FIFTEEN},
+        "claims": candidate.claims,
     }

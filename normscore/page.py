@@ -21,6 +21,7 @@ def tables(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, str]:
         "human constants": _constants("human"),
         "human_female constants": _constants("human_female"),
         "calibration": markdown(*calibration_rows(documents["calibration"])),
+        "calibration front": markdown(*calibration_rows(documents["calibration"], "front")),
         "calibration effects": _effects(documents["calibration"]),
         "claims": _claims(claims),
         "claims missed": _missed(claims),

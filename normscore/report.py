@@ -1,10 +1,11 @@
 """The norms as a Markdown table (for docs) and as one HTML page."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
 from vocalis_norms.norms import NORMS, Norm
+from vocalis_paper.claim import Verdict
 
 _MARK = {"pass": "pass", "deviation": "deviation", "fail": "no number"}
 
@@ -50,19 +51,24 @@ def markdown(header: tuple[str, ...], lines: list[tuple[str, ...]]) -> str:
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in table)
 
 
-def calibration_rows(document: Mapping[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """The best candidates of the calibration study: factors, norms in range, and which are missed."""
+def calibration_rows(document: Mapping[str, Any], which: str = "best") -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """Candidates of the calibration study, its ``best`` or its ``front``: norms in range, claims, factors, misses."""
     names = [factor["name"] for factor in document["factors"]]
-    lines = []
-    for candidate in document["best"]:
-        missed = [
-            f"{NORMS[key].symbol} {shown(NORMS[key], value)}"
-            for key, value in candidate["norms"].items()
-            if value is None or not NORMS[key].low <= value <= NORMS[key].high
-        ]
-        values = (f"{candidate['values'][name]:.3g}" for name in names)
-        lines.append((str(candidate["in_range"]), *values, ", ".join(missed)))
-    return ("in range", *names, "missed"), lines
+    header = ("norms in range", "claims: pass / deviation / fail", *names, "norms missed", "claims that fail")
+    return header, [_calibration_row(candidate, names) for candidate in document[which]]
+
+
+def _calibration_row(candidate: Mapping[str, Any], names: Sequence[str]) -> tuple[str, ...]:
+    claims = candidate["claims"] or {}
+    counts = (str(sum(found == verdict for found in claims.values())) for verdict in Verdict)
+    missed = [
+        f"{NORMS[key].symbol} {shown(NORMS[key], value)}"
+        for key, value in candidate["norms"].items()
+        if value is None or not NORMS[key].low <= value <= NORMS[key].high
+    ]
+    failed = [key for key, verdict in claims.items() if verdict == Verdict.FAIL]
+    values = (f"{candidate['values'][name]:.3g}" for name in names)
+    return str(candidate["in_range"]), " / ".join(counts), *values, ", ".join(missed), ", ".join(failed)
 
 
 _STYLE = """

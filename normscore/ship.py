@@ -20,11 +20,11 @@ from vocalis_norms.coupling import effects, fo_over_f1, pairs, robustness
 from vocalis_norms.page import tables
 from vocalis_norms.picture import picture
 from vocalis_norms.score import norms_document, score_variant
-from vocalis_paper.registry import CLAIMS
 from vocalis_paper.report_text import filled
 from vocalis_paper.run import gather, warm_up, workers
 from vocalis_paper.run_document import plain_outcome, provenance
 from vocalis_paper.run_score import cases_for, judge, score
+from vocalis_paper.study import PHYSICS
 
 RESULTS = Path(__file__).parent / "results"
 ROOT = Path(__file__).parents[1]
@@ -40,13 +40,12 @@ def norms(pool: ProcessPoolExecutor) -> dict[str, Any]:
 
 def claims(pool: ProcessPoolExecutor) -> dict[str, Any]:
     """The paper's claims but its cost, on the variants with each coupling."""
-    judged = {key: claim for key, claim in CLAIMS.items() if key != "T1"}
     columns = {}
     for variant, way in CLAIMED:
         base = simulation_from_dict({"model": {"variant": variant, "coupling": way}})
         warm_up(base)
-        found = gather(cases_for(base, judged), pool).evidence
-        outcomes = judge(found, judged)
+        found = gather(cases_for(base, PHYSICS), pool).evidence
+        outcomes = judge(found, PHYSICS)
         columns[f"{variant}, {way}"] = {
             "score": score(outcomes),
             "outcomes": {key: plain_outcome(one) for key, one in outcomes.items()},

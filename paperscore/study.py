@@ -25,7 +25,8 @@ COARSE = evenly(10)
 #: How many choices, each of another factor, are tried in pairs.
 PAIRED = 4
 _POINTS = {Verdict.PASS: 2, Verdict.DEVIATION: 1, Verdict.FAIL: 0}
-_CLAIMS = {key: claim for key, claim in CLAIMS.items() if key != "T1"}
+#: All claims but the cost of a run.
+PHYSICS = {key: claim for key, claim in CLAIMS.items() if key != "T1"}
 Watch = Callable[[str], Callable[[str, int, int], None]]
 
 
@@ -71,9 +72,9 @@ def changes(row: Mapping[str, Any], default: Mapping[str, Any]) -> list[tuple[st
 def _tried(choice: Choice, pool: ProcessPoolExecutor, watched: Watch) -> tuple[Choice, dict[str, Any]]:
     base = simulation_from_dict(choice.change)
     warm_up(base)
-    cases = {key: _coarse(case) for key, case in cases_for(base, _CLAIMS).items()}
+    cases = {key: coarse(case) for key, case in cases_for(base, PHYSICS).items()}
     gathered = gather(cases, pool, watched(choice.name), choice.level, choice.fold)
-    outcomes = judge(gathered.evidence, _CLAIMS)
+    outcomes = judge(gathered.evidence, PHYSICS)
     row = {
         "choice": choice.name,
         "change": choice.change,
@@ -84,7 +85,7 @@ def _tried(choice: Choice, pool: ProcessPoolExecutor, watched: Watch) -> tuple[C
     return choice, row
 
 
-def _coarse(case: Case) -> Case:
+def coarse(case: Case) -> Case:
     """The case with a map of 11 × 11 cells; curves and shapes as they are."""
     if case.kind != "map":
         return case

@@ -28,6 +28,7 @@ CASES = {
     "pressed": _muscles(1.0, 1.0, 0.0, 0.3, 0.6) | {"subglottal_pressure_pa": 1500},
     "other posturing set": {"model": {"posture_set": "alzamendi2020"}, "run": {"pressure_rise_s": 0.05}},
     "text to the letter": {"model": {"variant": "text_literal"}, "run": {"duration_s": 0.03}},
+    "human, two-way": {"model": {"variant": "human", "coupling": "two_way"}, "subglottal_pressure_pa": 700},
     "posture given": {"posture": {"strain": 0.2, "glottal_half_angle_rad": 0.004}, "convergence_angle_rad": 0.05},
     "no phonation": _muscles(0.2, 0.2, 1.0, 0.1, 0.0) | {"subglottal_pressure_pa": 300},
 }

@@ -49,9 +49,9 @@ def test_changed_results_are_not_written_under_the_same_version(altered):
 
 
 def test_changed_results_are_written_under_a_new_version_with_the_reason(altered):
-    assert regenerate("another scheme", altered, version="2")
+    assert regenerate("another scheme", altered, version="other")
     document = read_stored(altered)
-    assert (document["model_version"], document["reason"]) == ("2", "another scheme")
+    assert (document["model_version"], document["reason"]) == ("other", "another scheme")
     assert not differences(document["cases"]["modal"]["results"], GOLDEN["cases"]["modal"]["results"])
 
 
@@ -59,5 +59,5 @@ def test_changed_results_are_written_under_a_new_version_with_the_reason(altered
 def test_nothing_is_written_without_a_reason(reason, altered):
     before = altered.read_bytes()
     with pytest.raises(SystemExit, match="say why"):
-        regenerate(reason, altered, version="2")
+        regenerate(reason, altered, version="other")
     assert altered.read_bytes() == before

@@ -91,22 +91,72 @@ def test_the_human_voice_meets_the_norms_it_is_shipped_with():
         assert found["norms"][key]["value"] == pytest.approx(kept["norms"][key]["value"], rel=0.01, abs=0.5), key
 
 
-def test_the_study_ranks_by_norms_in_range_and_stays_in_its_box():
+def candidate(in_range: int, verdicts: str | None, distance: float = 1.0) -> calibration.Candidate:
+    """A candidate that meets ``in_range`` norms; ``verdicts``: p, d and f for the claims, in order."""
+    words = {"p": "pass", "d": "deviation", "f": "fail"}
+    claims = None if verdicts is None else {str(k): words[v] for k, v in enumerate(verdicts)}
+    return calibration.Candidate({}, {"in_range": in_range}, distance, claims)
+
+
+def test_the_study_ranks_by_the_wanted_norms_then_by_claims():
+    order = [
+        candidate(12, "pppd"), candidate(13, "ppdd"), candidate(13, "pppf"), candidate(15, "ppff", 0.5),
+        candidate(15, "ppff", 0.6), candidate(11, "pppp"), candidate(9, None, 0.1),
+    ]  # fmt: skip
+    mixed = [order[k] for k in (4, 6, 2, 0, 5, 3, 1)]
+    assert sorted(mixed, key=lambda one: one.rank) == order
+
+
+def test_the_front_holds_what_nothing_beats_once_and_only_what_was_judged():
+    best = [candidate(13, "ppff"), candidate(13, "pfdd"), candidate(12, "pppd")]
+    beaten = [candidate(12, "ppff"), candidate(11, "pppd"), candidate(13, "pfff"), candidate(12, "pppd"),
+              candidate(14, None)]  # fmt: skip
+    assert calibration.front([*best, *beaten]) == best
+
+
+def test_a_candidate_with_too_few_norms_is_not_asked_for_claims():
+    pool = InlinePool()
+    poor = candidate(calibration.ENOUGH - 1, None)
+    assert calibration.with_claims(poor, pool) is poor and pool.calls == 0
+
+
+def test_the_study_stays_in_its_box():
     first, second = (calibration.design(calibration.FACTORS, 8, seed) for seed in (1, 1))
     assert first == second
-    for candidate in first:
-        assert all(f.low <= candidate[f.name] <= f.high for f in calibration.FACTORS)
-    for f in calibration.around(first[0]):
-        assert f.low <= first[0][f.name] <= f.high
+    for values in first:
+        assert all(f.low <= values[f.name] <= f.high for f in calibration.FACTORS)
+    for small, whole in zip(calibration.around(first[0], calibration.FACTORS, 0.4), calibration.FACTORS, strict=True):
+        assert whole.low <= small.low <= first[0][small.name] <= small.high <= whole.high
+        assert small.high / small.low <= (whole.high / whole.low) ** 0.4 * (1 + 1e-9)
+
+
+def test_the_shipped_study_is_in_order_and_its_front_is_one():
+    def counts(one):
+        verdicts = list((one["claims"] or {}).values())
+        return one["in_range"], verdicts.count("pass"), verdicts.count("fail")
+
+    best, front = ([counts(one) for one in DOCUMENTS["calibration"][name]] for name in ("best", "front"))
+    wanted = calibration.WANTED
+    ranks = [(max(wanted - norms, 0), fails, -passes) for norms, passes, fails in best]
+    assert ranks == sorted(ranks) and best[0][0] >= wanted
+    assert len(set(front)) == len(front)
+    for norms, passes, fails in front:
+        assert not any(n >= norms and p > passes and f < fails for n, p, f in front)
+
+
+def test_the_variant_is_near_the_best_candidates():
+    """Each constant within the range of the ten best, the paper's where it changes none."""
     best = DOCUMENTS["calibration"]["best"]
-    assert [(-b["in_range"], b["distance"]) for b in best] == sorted((-b["in_range"], b["distance"]) for b in best)
-
-
-def test_the_variant_lies_in_the_box_of_the_best_candidates():
-    best = [b["values"] for b in DOCUMENTS["calibration"]["best"]]
-    for name in ("C_coup_pa_s_m", "A_muc_0_m2", "K_col_pa_m"):
-        values = [b[name] for b in best]
+    constants = [calibration.base_of(one["values"]).constants for one in best]
+    for name in VARIANTS["human"].overrides:
+        values = [getattr(one, name) for one in constants]
         assert min(values) <= VARIANTS["human"].overrides[name] <= max(values), name
+
+
+def test_human_keeps_no_fewer_of_the_papers_trends_than_it_is_shipped_with():
+    """With two-way coupling it keeps about what that coupling leaves of them with the paper's own constants."""
+    scores = {name: column["score"] for name, column in DOCUMENTS["claims"]["columns"].items()}
+    assert scores["human, two_way"]["fail"] <= scores["paper, two_way"]["fail"] + 1
 
 
 def test_docs_say_what_is_shipped_and_it_belongs_to_this_model():
