@@ -45,25 +45,25 @@ class Factor:
 
 #: K_coup_level multiplies both ends of the coupling stiffness, K_coup_contrast the ratio of the two.
 CONSTANTS = (
-    Factor("C_coup_pa_s_m", "Pa·s/m", 40, 900),
-    Factor("A_muc_0_m2", "m²", 5e-6, 1.2e-5),
-    Factor("K_coup_level", "1", 1.2, 5.0),
-    Factor("K_coup_contrast", "1", 0.3, 2.0),
-    Factor("K_col_pa_m", "Pa/m", 8e5, 4e6),
-    Factor("C_col_pa_s_m", "Pa·s/m", 60, 600),
-    Factor("eta_m_pa_s", "Pa·s", 0.4, 2.5),
-    Factor("G_m_pa", "Pa", 30, 300),
+    Factor("C_coup_pa_s_m", "Pa·s/m", 30, 900),
+    Factor("A_muc_0_m2", "m²", 5e-6, 9e-6),
+    Factor("K_coup_level", "1", 1.6, 4.4),
+    Factor("K_coup_contrast", "1", 0.4, 2.0),
+    Factor("K_col_pa_m", "Pa/m", 1.4e6, 3.5e6),
+    Factor("C_col_pa_s_m", "Pa·s/m", 100, 500),
+    Factor("eta_m_pa_s", "Pa·s", 0.4, 1.0),
+    Factor("G_m_pa", "Pa", 25, 120),
 )
 POSTURE = (
-    Factor("lca_ia", "1", 0.4, 0.8),
-    Factor("ct", "1", 0.05, 0.4),
-    Factor("ta", "1", 0.12, 0.5),
-    Factor("pca", "1", 0.02, 0.22),
+    Factor("lca_ia", "1", 0.45, 0.8),
+    Factor("ct", "1", 0.07, 0.3),
+    Factor("ta", "1", 0.25, 0.55),
+    Factor("pca", "1", 0.08, 0.23),
 )
 FACTORS = (*CONSTANTS, *POSTURE)
 #: Each round: how many candidates, in what share of each factor's logarithmic range.
-ROUNDS = ((80, 1.0), (40, 0.4), (30, 0.2))
-POSTURES = 10
+ROUNDS = ((40, 1.0), (24, 0.4), (16, 0.2))
+POSTURES = 6
 #: Norms that a variant must meet, and those from which on the claims are judged, to see what they cost.
 WANTED, ENOUGH = 12, 10
 CLAIMS_RUN_S = 0.5

@@ -1,8 +1,9 @@
 """Named variants of the model: which equations, which posturing, and which constants differ from the paper's.
 
 ``human`` and ``human_female`` change constants only. The values of ``human`` come from the calibration study of
-vocalis_norms (docs/model.md, section 12): among constants within measured ranges, those that bring the voice of the
-modal posture nearest to published norms of men. ``human_female`` is scaled from it and calibrated against nothing.
+vocalis_norms (docs/human.md, section 4): among constants within measured ranges, such as bring the voice near to
+published norms of men and keep most of the trends that the paper's constants show. ``human_female`` is scaled from it
+and calibrated against nothing.
 """
 
 from collections.abc import Mapping
@@ -53,28 +54,40 @@ def _unaltered(changes: tuple[Change, ...]) -> FoldConstants:
     return FoldConstants(**{change.name: change.value for change in changes})
 
 
+_SHEAR = (
+    "Measured in the superficial lamina propria, shear stiffness and viscosity differ tenfold between people, and the "
+    "viscosity falls with frequency (Chan & Titze 1999)."
+)
 _HUMAN = (
     Change(
-        "C_coup_pa_s_m", 900.0,
-        "Damping ratio of the lowest mode of the mucosa in vacuo, at the modal posture: 0.29; the paper's 10 Pa·s/m "
-        "give 0.01. Ratios of 0.1 to 0.4 are used after measurements on folds and larynges (Ishizaka & Flanagan 1972; "
-        "Titze & Story 2002).",
+        "C_coup_pa_s_m", 40.0,
+        "Four times the paper's, with which the opening grows beyond any larynx. Not measured directly; with the shear "
+        "viscosity it sets the damping ratios of the mucosa, of which 0.1 to 0.4 are used after measurements on folds "
+        "and larynges (Ishizaka & Flanagan 1972; Titze & Story 2002).",
     ),
     Change(
-        "A_muc_0_m2", 9e-6,
-        "Depth of the mucosa 1.8 mm instead of 1 mm: the mass that moves with the surface. Body–cover models of a "
+        "A_muc_0_m2", 6.5e-6,
+        "Depth of the mucosa 1.3 mm instead of 1 mm: the mass that moves with the surface. Body–cover models of a "
         "man's fold use a cover of 2 mm (Titze & Story 2002).",
     ),
     Change(
-        "K_coup_min_pa_m", 7e4,
-        "1.4 times the paper's: keeps f_o of the heavier mucosa, and the small opening. Not measured directly.",
+        "K_coup_min_pa_m", 1.5e5,
+        "Three times the paper's, with which 1 kPa moves the soft edge by 20 mm; now by 7 mm. Not measured directly; "
+        "held by the norms of area, flow and f_o.",
     ),
-    Change("K_coup_max_pa_m", 7e5, "1.4 times the paper's, as the soft edge."),
     Change(
-        "K_col_pa_m", 1.8e6,
+        "K_coup_max_pa_m", 1.1e6,
+        "2.2 times the paper's, so that the two edges differ less. A layer of 1.3 mm with a modulus of 1 kPa across "
+        "the fold would have 8e5 Pa/m, between the edges. Not measured directly.",
+    ),
+    Change(
+        "K_col_pa_m", 2e6,
         "Stiffer contact, so that the folds pass through each other less. Not measured directly; held by the norms "
         "of contact pressure and f_o.",
     ),
+    Change("C_col_pa_s_m", 200.0, "As the contact stiffness: their ratio, 0.1 ms, stays the paper's."),
+    Change("G_m_pa", 40.0, f"{_SHEAR} Held by the paper's trends."),
+    Change("eta_m_pa_s", 0.5, f"{_SHEAR} Held by the paper's trends."),
 )  # fmt: skip
 LENGTH_RATIO, SIZE_RATIO, AIRWAY_RATIO = 1.6, 1.2, 1.2  # men over women, Titze (1989b); airways: Fitch & Giedd (1999)
 
@@ -103,7 +116,7 @@ VARIANTS = {
     ),
     "human": ModelVariant(
         "serry2026", "inferior_stiff", "kelvin_voigt",
-        "Adult man: the paper's equations, five constants set so that flow, area and level are of human size. "
+        "Adult man: the paper's equations, eight constants set so that flow, area and level are of human size. "
         "Meant with coupling two_way.",
         _HUMAN, "two_way",
     ),
