@@ -190,7 +190,7 @@ export const MEASURE = {
   source: "Source",
   noRange: "No published range for this measure.",
   cycles: (n) => (n ? `Mean over ${n} cycles of the last half of the run.` : "From the last half of the run."),
-  caution: "This model’s absolute flow and level lie well above a human’s; read trends and shapes.",
+  caution: "With the paper’s constants absolute flow and level lie well above a human’s; read trends and shapes.",
   open: (name) => `${name}: definition, expected values, source`,
   table: "All measures",
   columns: ["Measure", "Value", "Published"],

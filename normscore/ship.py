@@ -66,7 +66,7 @@ def _fo_map(maps) -> dict[str, Any]:
 def coupling(pool: ProcessPoolExecutor) -> dict[str, Any]:
     """What two-way coupling does, and how it holds; writes the picture as well."""
     found = pairs()
-    write_bytes(PICTURE, picture([pair for pair in found if pair.variant == "paper"]).encode())
+    write_bytes(PICTURE, picture([pair for pair in found if pair.variant == "human"]).encode())
     return {
         "kind": "coupling",
         "provenance": provenance(),
