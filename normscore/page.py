@@ -50,7 +50,7 @@ def _constants(variant: str) -> str:
 
 
 def _effects(study: Mapping[str, Any]) -> str:
-    names = [factor["name"] for factor in study["factors"]]
+    names = list(next(iter(study["effects"].values())))
     return _table(
         ("norm", *(f"`{name}`" for name in names)),
         ((key, *(f"{effect[name]:+.2f}" for name in names)) for key, effect in study["effects"].items()),

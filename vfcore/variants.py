@@ -1,6 +1,6 @@
 """Named variants of the model: which equations, which posturing, and which constants differ from the paper's.
 
-``human`` and ``human_female`` change constants only. The values of ``human`` come from the calibration study of
+``human`` and ``human_female`` change constants only. The values of ``human`` lie in the box of the calibration study of
 vocalis_norms (docs/human.md, section 4): among constants within measured ranges, such as bring the voice near to
 published norms of men and keep most of the trends that the paper's constants show. ``human_female`` is scaled from it
 and calibrated against nothing.
