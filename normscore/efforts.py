@@ -1,7 +1,7 @@
 """The runs behind the norms: one speaker, one posture, and the pressures that stand for his efforts.
 
-A norm fixes no muscles: a man who speaks with normal effort has some posture. POSTURE is one in which the variant ``human``
-meets most norms; every variant is scored there.
+A norm fixes no muscles: a man who speaks with normal effort has some posture. POSTURE is one in which ``human`` meets
+most norms; every variant is scored there.
 """
 
 from collections.abc import Iterator
