@@ -54,7 +54,7 @@ def _vocaltractlab() -> Callable[[], object]:
 
 def _twin() -> Callable[[], object] | None:
     sys.path.insert(0, str(FOLDER))
-    try:  # another package named ``tests`` (VocalTractLab's wheel has one) hides ours
+    try:  # there is none in an installed wheel
         if importlib.util.find_spec("tests.support") is None:
             return None
         twin = importlib.import_module("tests.support.fold_twin").FoldTwin(0.057, 0.4, 0.0)

@@ -18,7 +18,8 @@ STEP_S = DEFAULT_STEP_S / 4
 
 contact_pressure = contact.contact_pressure
 gap, reciprocal, separation_gap = flow.gap, flow.reciprocal, flow.separation_gap
-cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, flow.slice_flux, flow.pressure
+cube, viscous_segment, viscous_drop, flux_root = flow.cube, flow.viscous_segment, flow.viscous_drop, flow.flux_root
+slice_flux, pressure = flow.slice_flux, flow.pressure
 tension, coupling = membrane.tension, membrane.coupling
 shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
 
@@ -58,14 +59,16 @@ def _slice_pressure(w, G, i, k, p, d):
         j_sep -= 1
     integral = 0.0
     for j in range(ny - 2, j_sep - 1, -1):
-        integral += viscous_segment(cube(reciprocal(d[j + 1])), cube(reciprocal(d[j])), 0.5 * k.dy)
-    q = slice_flux(k.P_s, integral, d_sep, d_min, k.half_rho_a, k.twelve_mu_a)
+        integral += viscous_segment(cube(reciprocal(d[j + 1])), cube(reciprocal(d[j])))
+    six_mu_a_dy = 0.5 * k.twelve_mu_a * k.dy
+    Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
+    q = slice_flux(k.P_s, d_sep, Bd, flux_root(k.P_s, Bd, k.half_rho_a))
     integral = 0.0
     for j in range(ny - 1, -1, -1):
         on_the_lung_side = j > j_sep or (d_min <= 0.0 and j == j_sep)
-        p[j] = pressure(k.P_s, q, reciprocal(d[j]), integral, k.half_rho_a, k.twelve_mu_a) if on_the_lung_side else 0.0
+        p[j] = pressure(k.P_s, q, reciprocal(d[j]), integral, k.half_rho_a, six_mu_a_dy) if on_the_lung_side else 0.0
         if j > 0:
-            integral += viscous_segment(cube(reciprocal(d[j])), cube(reciprocal(d[j - 1])), 0.5 * k.dy)
+            integral += viscous_segment(cube(reciprocal(d[j])), cube(reciprocal(d[j - 1])))
     return d_min, q
 
 

@@ -1,7 +1,9 @@
 """Sweeps through the job system: how long they take on all cores, and what the job system itself costs.
 
-``python -m vocalis_bench.sweeps [map|large]`` prints figures as JSON. ``map``: 21 × 21 over CT and TA, runs of 1 s, on
-one core without a server, then through the job system with one worker and with all. ``large``: 10,000 runs of 1 s
+``python -m vocalis_bench.sweeps [map|large]`` prints figures as JSON. ``map``: 21 × 21 over CT and TA, runs of 1 s, all
+measures, on one core without a server, then through the job system with one worker and with all, in double and in
+single precision; beside it what a plain compiled loop would take for the same voices on the same cores, without any
+measure. ``large``: 10,000 runs of 1 s
 through the job system, killed with -9 half-way and gone on with, the memory of every process, opened by xarray.
 """
 
@@ -18,7 +20,10 @@ from pathlib import Path
 
 import httpx
 
+from vfcore.simulate import prepare
 from vfcore.sweep import run_sweep, sweep_from_dict
+from vocalis_bench.reference import plain_run
+from vocalis_bench.rounds import interleaved
 
 MB = 2**20
 LOOK_EVERY_S = 0.25
@@ -104,11 +109,17 @@ def measure_map() -> dict:
     run_sweep(sweep, workers=1)
     alone = time.perf_counter() - began
     one, every = through_jobs(body, 1), through_jobs(body, cores)
+    single = through_jobs(body | {"precision": "float32"}, cores)
+    fold, pressure_pa = prepare(sweep.base).fold, sweep.base.subglottal_pressure_pa
+    plain_s = len(sweep) / cores * interleaved({"plain": lambda: plain_run(fold, pressure_pa, 1.0)}, 3)["plain"]
     return {
         "points": len(sweep),
+        "plain_loop_s": round(plain_s, 1),
+        "plain_loop_over_map": round(plain_s / every["seconds"], 1),
         "one_core_without_jobs_s": round(alone, 3),
         "one_worker": one,
         "all_workers": every | {"workers": cores},
+        "all_workers_float32": single | {"workers": cores},
         "speed_up_over_one_core": round(alone / every["seconds"], 3),
     }
 

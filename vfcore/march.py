@@ -143,8 +143,11 @@ class March:
 
     def _around_the_glottis(self, buffer: np.ndarray, air: np.ndarray | None, step: int) -> tuple[float, float]:
         """Pressure at inlet and outlet, Pa, that the step from this state on would use; the state stays."""
+        lungs = self.pressure_at(np.array([step]))
+        if air is None:
+            return lungs[0], 0.0
         record = np.empty(len(RECORD))
-        self._advance(buffer.copy(), self.scalars, self.pressure_at(np.array([step])), 1, record, _copied(air))
+        self._advance(buffer.copy(), self.scalars, lungs, 1, record, _copied(air))
         return record[RECORD.index("inlet_pressure_pa")], record[RECORD.index("outlet_pressure_pa")]
 
     @property

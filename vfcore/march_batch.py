@@ -88,12 +88,15 @@ class _Batch:
         self.layout = Layout(first.nx, first.ny, self.folds, self.folds)
         self.buffer = assemble.empty_buffer(self.layout, precision)
         self.scalars = np.empty((len(SCALARS), self.folds), precision)
-        for place in range(self.folds):
-            motion = motions[place if place < len(motions) else 0]
+        filled = [*motions, *[motions[0]] * (self.folds - len(motions))]
+        for place, motion in enumerate(filled):
             assemble.fill(self.buffer, self.layout, place, motion.fold, self.time_step_s)
             self.scalars[:, place] = assemble.scalars(motion.fold, self.time_step_s)
             self._start(place, motion)
         self._advance = step_kernel(first.nx, first.ny, first.rotation, precision, many=True)
+        self._before = self.buffer.copy()
+        self._pressure_pa = np.array([motion.pressure_pa for motion in filled])
+        self._rise_s = np.array([motion.rise_s for motion in filled])
 
     def _start(self, place: int, motion: Motion) -> None:
         fold, shape = motion.fold, motion.start
@@ -112,11 +115,13 @@ class _Batch:
         """Records (len(motions), 5, samples), float64; a fold in ``problems`` has none."""
         records = np.empty((len(self.motions), len(RECORD), samples))
         per_chunk = samples_per_chunk(self.motions[0].fold, self.time_step_s)
+        room = np.empty((min(per_chunk, samples), len(RECORD), self.folds), self.buffer.dtype)
         for begin in range(0, samples, per_chunk):
             if stop is not None and stop():
                 raise Cancelled("the run was stopped")
             end = min(begin + per_chunk, samples)
-            chunk = self._chunk(begin, end - begin)
+            chunk = room[: end - begin]
+            self._chunk(begin, chunk)
             records[:, :, begin:end] = chunk[:, :, : len(self.motions)].transpose(2, 1, 0)
             if progress is not None:
                 progress(end / samples)
@@ -124,25 +129,22 @@ class _Batch:
                 break
         return records
 
-    def _chunk(self, first_sample: int, samples: int) -> np.ndarray:
-        before = self.buffer.copy()
+    def _chunk(self, first_sample: int, record: np.ndarray) -> None:
+        self._before[:] = self.buffer
         first = first_sample * self.record_every
-        steps = np.arange(first, first + samples * self.record_every)
-        chunk = np.empty((samples, len(RECORD), self.folds), self.buffer.dtype)
-        self._step(self.buffer, steps, self.record_every, chunk)
+        steps = np.arange(first, first + len(record) * self.record_every)
+        self._step(self.buffer, steps, self.record_every, record)
         beyond = assemble.beyond(self.buffer, self.layout)
         fresh = [place for place, problem in enumerate(self.problems) if problem is None and beyond[place]]
         if fresh:
-            self._locate(fresh, before, steps)
-        return chunk
+            self._locate(fresh, self._before, steps)
 
     def _step(self, buffer: np.ndarray, steps: np.ndarray, every: int, record: np.ndarray) -> None:
         pressures = np.empty((len(steps), self.folds), buffer.dtype)
-        for place in range(self.folds):
-            motion = self.motions[place if place < len(self.motions) else 0]
-            rise = motion.rise_s
-            share = np.minimum(steps * self.time_step_s / rise, 1.0) if rise > 0.0 else 1.0
-            pressures[:, place] = motion.pressure_pa * share
+        pressures[:] = self._pressure_pa
+        rising = np.flatnonzero(self._rise_s > steps[0] * self.time_step_s)
+        if rising.size:
+            pressures[:, rising] *= np.minimum(steps[:, None] * self.time_step_s / self._rise_s[rising], 1.0)
         self._advance(buffer, self.scalars.reshape(-1), pressures.reshape(-1), every, record.reshape(-1))
 
     def _beyond(self, buffer: np.ndarray) -> np.ndarray:

@@ -1,6 +1,7 @@
 """The benchmarks measure what they say: the plain loop is the same voice, the count is that of the source."""
 
 import json
+import time
 
 import numpy as np
 import pytest
@@ -61,9 +62,16 @@ def test_a_step_costs_in_proportion_to_its_nodes():
 
 def test_rounds_are_interleaved_and_the_first_does_not_count():
     order = []
-    seconds = interleaved({"a": lambda: order.append("a"), "b": lambda: order.append("b")}, 3)
+    seconds = interleaved({"a": lambda: order.append("a"), "b": lambda: order.append("b")}, 3, turn_s=0.0)
     assert order == ["a", "b"] * 4
     assert set(seconds) == {"a", "b"} and all(0 <= value < 0.1 for value in seconds.values())
+
+
+def test_a_short_task_is_called_until_its_turn_is_over():
+    calls = []
+    seconds = interleaved({"short": lambda: calls.append(time.sleep(0.004))}, 1, turn_s=0.02)
+    assert 2 * 2 <= len(calls) <= 2 * 5
+    assert 0.004 <= seconds["short"] < 0.02
 
 
 def run_on(processor, ratio):

@@ -10,7 +10,12 @@ Per slice of width dx at fixed x, y from 0 (superior, outlet) to b (inferior, in
     A q² + B q − P_s = 0,  A = ½ρ_a/d_sep²,  B = 12 μ_a ∫_{y_sep}^b dη/d_g³     [eq. FlowRateQuadratic]
 
 with q = −dq_g/dx > 0 towards the mouth, m²/s. The root is taken in the form that does not
-cancel, q = 2P_s/(B + √(B² + 4AP_s)).
+cancel and, multiplied by d_sep, needs no reciprocal of a gap that may be 0:
+
+    q = 2P_s/(B + √(B² + 4AP_s)) = 2P_s d_sep/(B d_sep + √((B d_sep)² + 2ρ_a P_s))
+
+The integral follows the trapezoid rule. What is summed is 1/d³ at both ends of each node spacing; the factor dy/2
+stands in 12 μ_a dy/2 = ``six_mu_a_dy``.
 
 ``d_max``, the largest gap of the slice, bounds d_sep: where α_s d_min exceeds every gap of the
 slice the flow separates at the inlet. y_sep is the first node, read from the inlet, whose gap
@@ -57,9 +62,9 @@ def cube(r):
 
 
 @jit
-def viscous_segment(cube_0, cube_1, half_dy):
-    """Trapezoid of ∫ dη/d³ over one node spacing, from 1/d³ at both ends, m⁻²."""
-    return half_dy * (cube_0 + cube_1)
+def viscous_segment(cube_0, cube_1):
+    """Trapezoid of ∫ dη/d³ over one node spacing, in units of dy/2, from 1/d³ at both ends, m⁻³."""
+    return cube_0 + cube_1
 
 
 @jit
@@ -69,16 +74,24 @@ def size(x):
 
 
 @jit
-def slice_flux(P_s, viscous_integral, d_sep, d_min, half_rho_a, twelve_mu_a):
-    """Flow per unit width q, m²/s, under the drop ``P_s`` from inlet to outlet; odd in it, and 0 in a closed slice."""
-    r = reciprocal(d_sep)
-    A = half_rho_a * r * r
-    B = twelve_mu_a * viscous_integral
-    q = 2.0 * P_s / (B + square_root(B * B + 4.0 * A * size(P_s)) + 1e-30)
-    return where(d_min > 0.0, q, 0.0)
+def viscous_drop(viscous_sum, d_sep, six_mu_a_dy):
+    """B d_sep of a slice, Pa·s/m."""
+    return six_mu_a_dy * viscous_sum * d_sep
 
 
 @jit
-def pressure(P_s, q, r, viscous_integral, half_rho_a, twelve_mu_a):
+def flux_root(P_s, Bd, half_rho_a):
+    """√((B d_sep)² + 2ρ_a P_s), of the size of the drop."""
+    return square_root(Bd * Bd + 4.0 * half_rho_a * size(P_s))
+
+
+@jit
+def slice_flux(P_s, d_sep, Bd, root):
+    """Flow per unit width q, m²/s, under the drop ``P_s`` from inlet to outlet; odd in it, and 0 in a closed slice."""
+    return 2.0 * P_s * d_sep / (Bd + root + 1e-30)
+
+
+@jit
+def pressure(P_s, q, r, viscous_sum, half_rho_a, six_mu_a_dy):
     """p_aero at an attached node, Pa, with ``P_s`` at the inlet."""
-    return P_s - half_rho_a * q * size(q) * r * r - twelve_mu_a * q * viscous_integral
+    return P_s - half_rho_a * q * size(q) * r * r - six_mu_a_dy * q * viscous_sum

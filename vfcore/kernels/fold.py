@@ -12,7 +12,8 @@ trapezoidal rule for its own stiffness A (tension, bending, end moments, per mas
 which is unconditionally stable and undamped. With S = (I − dt²A/4)⁻¹ and SA = (4/dt²)(S − I)
 the right side is S (f/ρ_l + 4/dt² w_b) − 4/dt² w_b: one dense product per step.
 
-Kept between steps: w, v^{n−½} and v*, so that every damper reads v* without computing it again.
+Kept between steps: w, v^{n−½} and v*, so that every damper reads v* without computing it again. With F/ρ_s = a both
+come from v^{n−½} by one multiply-add each, the next v* being v^{n−½} + (3/2) dt a.
 Shear is taken in differences between rows, with G̃/dy² and η̃/dy²; an edge row is a half cell,
 so its flux counts twice (``per_weight``) and its traction and contact half (``weight``).
 
@@ -25,13 +26,14 @@ from functools import lru_cache
 
 from vfcore.kernels import airways, contact, flow, membrane
 from vfcore.kernels.jit import jit
-from vfcore.kernels.lanes import each, lane, load, maximum, minimum, spread, square_root, store, total, where
+from vfcore.kernels.lanes import each, lane, load, maximum, minimum, spread, store, total, where
 from vfcore.kernels.layout import LANES, RECORD, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
 gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
 size = flow.size
-cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, flow.slice_flux, flow.pressure
+cube, viscous_segment, viscous_drop, flux_root = flow.cube, flow.viscous_segment, flow.viscous_drop, flow.flux_root
+slice_flux, pressure = flow.slice_flux, flow.pressure
 tension, coupling = membrane.tension, membrane.coupling
 shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
 advance_airways, viscous_share = airways.advance_airways, airways.viscous_share
@@ -78,7 +80,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
         K_col, C_col, K_foun = each(par, 9, P, W), each(par, 10, P, W), each(par, 11, P, W)
         C_foun, per_rho_l, per_J = each(par, 12, P, W), each(par, 13, P, W), each(par, 14, P, W)
         G_m, eta_m = each(par, 15, P, W), each(par, 16, P, W)
-        half_dy, per_dy, four_per_dt2 = 0.5 * dy, 1.0 / dy, 4.0 / (dt * dt)
+        six_mu_a_dy, per_dy, four_per_dt2 = 0.5 * twelve_mu_a * dy, 1.0 / dy, 4.0 / (dt * dt)
         zero, far = spread(0.0, buf, W), spread(1.0, buf, W)
         beyond, look_every = zero, LOOK_SAMPLES * record_every
 
@@ -112,21 +114,21 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                         upstream = running
                         above = cube(load(buf, R + j * W - W, W))
                         store(buf, I + j * W, integral)
-                        integral = where(on, integral + viscous_segment(here, above, half_dy), integral)
+                        integral = where(on, integral + viscous_segment(here, above), integral)
                         here = above
                     store(buf, I, integral)
+                    Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
+                    root = flux_root(drop, Bd, half_rho_a)
+                    q = slice_flux(drop, d_sep, Bd, root)
                     if air is not None and sweep == 0:
-                        r = reciprocal(d_sep)
-                        A, B, width = half_rho_a * r * r, twelve_mu_a * integral, load(buf, WIDTH + i, W)
-                        root = square_root(B * B + 4.0 * A * drop)
-                        flow_rate = flow_rate + where(d_min > 0.0, 2.0 * drop / (B + root + 1e-30) * width, 0.0)
-                        slope = slope + where(d_min > 0.0, width / root, 0.0)
+                        width = load(buf, WIDTH + i, W)
+                        flow_rate, slope = flow_rate + q * width, slope + d_sep / root * width
                         continue
-                    q = slice_flux(drop, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
 
                     # contact and membrane
                     w_b, v_b = load(buf, WB + i, W), load(buf, VBS + i, W)
                     inverse = dt * load(buf, INV + i, W)
+                    three_halves = 1.5 * inverse
                     slice_largest, touched, to_beam, flux_below = zero, zero, zero, zero
                     w, v, upstream = load(buf, WM + (ny - 1) * S + i, W), load(buf, VS + (ny - 1) * S + i, W), far
                     for k in range(ny):
@@ -136,7 +138,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                         running = load(buf, M + j * W, W)
                         on = attached(running, upstream, d_sep, d_min)
                         upstream = running
-                        p_attached = pressure(inlet, q, r, load(buf, I + j * W, W), half_rho_a, twelve_mu_a)
+                        p_attached = pressure(inlet, q, r, load(buf, I + j * W, W), half_rho_a, six_mu_a_dy)
                         p_aero = where(on, p_attached, outlet)
                         p_col = contact_pressure(w, v, G_j, K_col, C_col)
                         traction = coupling(w, v, w_b, v_b, each(buf, K + j, P, W), C_coup)
@@ -160,11 +162,10 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                                 strain, rate = shear_strain(w_next, w, 0.0), shear_strain(v_next, v, 0.0)
                             flux = shear_flux(strain, rate, G_t, eta_t)
                         along = tension(load(buf, WM + o - P, W), w, load(buf, WM + o + P, W), T)
-                        force = along - p_aero - p_col - traction + per_weight * (flux_below - flux)
-                        dv = inverse * force
-                        new = load(buf, V + o, W) + dv
-                        store(buf, V + o, new)
-                        store(buf, VS + o, new + 0.5 * dv)
+                        force = along + (per_weight * (flux_below - flux) - traction - p_col - p_aero)
+                        before = load(buf, V + o, W)
+                        store(buf, V + o, before + inverse * force)
+                        store(buf, VS + o, before + three_halves * force)
                         flux_below, w, v = flux, w_next, v_next
 
                     # beam: load per mass, ready for the implicit product

@@ -11,7 +11,8 @@ from vfcore.kernels.jit import jit
 
 contact_pressure = contact.contact_pressure
 gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
-cube, viscous_segment, slice_flux, pressure = flow.cube, flow.viscous_segment, flow.slice_flux, flow.pressure
+cube, viscous_segment, viscous_drop, flux_root = flow.cube, flow.viscous_segment, flow.viscous_drop, flow.flux_root
+slice_flux, pressure = flow.slice_flux, flow.pressure
 
 
 @jit
@@ -21,6 +22,7 @@ def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu
     ``inlet``, ``outlet``: pressure below and above the glottis, Pa (P_s and 0 with one-way coupling).
     """
     ny, nx = w.shape
+    six_mu_a_dy = 0.5 * twelve_mu_a * dy
     for i in range(nx):
         d_min, d_max = math.inf, 0.0
         for j in range(ny):
@@ -36,8 +38,9 @@ def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu
             if j > 0:
                 here = cube(reciprocal(gap(G[j, i], w[j, i])))
                 above = cube(reciprocal(gap(G[j - 1, i], w[j - 1, i])))
-                integral += on * viscous_segment(here, above, 0.5 * dy)
-        q = slice_flux(inlet - outlet, integral, d_sep, d_min, half_rho_a, twelve_mu_a)
+                integral += on * viscous_segment(here, above)
+        Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
+        q = slice_flux(inlet - outlet, d_sep, Bd, flux_root(inlet - outlet, Bd, half_rho_a))
         integral, upstream = 0.0, math.inf
         for k in range(ny):
             j = ny - 1 - k
@@ -45,9 +48,9 @@ def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu
             running = min(d, upstream)
             on = attached(running, upstream, d_sep, d_min)
             upstream = running
-            attached_pressure = pressure(inlet, q, reciprocal(d), integral, half_rho_a, twelve_mu_a)
+            attached_pressure = pressure(inlet, q, reciprocal(d), integral, half_rho_a, six_mu_a_dy)
             p_aero[j, i] = attached_pressure if on else outlet
             p_col[j, i] = contact_pressure(w[j, i], v[j, i], G[j, i], K_col, C_col)
             if j > 0:
                 above = cube(reciprocal(gap(G[j - 1, i], w[j - 1, i])))
-                integral += on * viscous_segment(cube(reciprocal(d)), above, 0.5 * dy)
+                integral += on * viscous_segment(cube(reciprocal(d)), above)

@@ -48,5 +48,5 @@ def contact_quotient(contact_area_m2: np.ndarray, cycles: Cycles) -> float:
     Crossings are not interpolated: the contact area of a grid moves in steps of one node.
     """
     level = CONTACT_FRACTION * cycles.largest(contact_area_m2)
-    above = cycles.span(contact_area_m2) > level[cycles.index]
+    above = cycles.span(contact_area_m2) > cycles.spread(level)
     return float((cycles.total(above.astype(np.float64)) / cycles.lengths).mean())

@@ -45,10 +45,13 @@ class Cycles:
         """Whole samples in each cycle; shape (N,)."""
         return np.diff(self.bounds)
 
-    @cached_property
-    def index(self) -> np.ndarray:
-        """Number of the cycle each sample of ``span(wave)`` belongs to."""
-        return np.repeat(np.arange(self.count), self.lengths)
+    def cycle_of(self, samples: np.ndarray) -> np.ndarray:
+        """Number of the cycle that each of the given ``samples`` of ``span(wave)`` belongs to."""
+        return np.searchsorted(self.offsets, samples, side="right") - 1
+
+    def spread(self, values: np.ndarray) -> np.ndarray:
+        """One value per cycle, shape (N,), at every sample of ``span(wave)``."""
+        return np.repeat(values, self.lengths)
 
     def span(self, wave: np.ndarray) -> np.ndarray:
         """The samples of ``wave`` (full length) within these cycles, float64."""
@@ -73,9 +76,8 @@ class Cycles:
     def where_largest(self, wave: np.ndarray) -> np.ndarray:
         """Sample of the full wave at which each cycle first reaches its largest value; shape (N,)."""
         span = self.span(wave)
-        hits = np.flatnonzero(span == np.maximum.reduceat(span, self.offsets)[self.index])
-        _, first = np.unique(self.index[hits], return_index=True)
-        return hits[first] + self.bounds[0]
+        hits = np.flatnonzero(span == self.spread(np.maximum.reduceat(span, self.offsets)))
+        return hits[np.searchsorted(hits, self.offsets)] + self.bounds[0]
 
     def between_peaks(self, wave: np.ndarray) -> "Cycles":
         """The same cycles cut at the largest values of ``wave`` instead: one fewer, in whole patterns if possible."""

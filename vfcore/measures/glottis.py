@@ -34,19 +34,20 @@ class OpenPhases:
 def open_phases(area_m2: np.ndarray, cycles: Cycles) -> OpenPhases:
     """Open phases of the minimum glottal area ``area_m2`` (full wave, m²) in ``cycles``."""
     area = cycles.span(area_m2)
-    level = (CLOSED_FRACTION * np.maximum.reduceat(area, cycles.offsets))[cycles.index]
+    level = cycles.spread(CLOSED_FRACTION * np.maximum.reduceat(area, cycles.offsets))
     is_open = area > level
-    steps = np.diff(is_open.astype(np.int8))
-    rises, falls = np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)
+    crossings = np.flatnonzero(is_open[1:] != is_open[:-1])
+    opening = is_open[crossings + 1]
+    rises, falls = crossings[opening], crossings[~opening]
     ups = rises + 1 - _open_side(area, rises + 1, 1, level)
     downs = falls + _open_side(area, falls, -1, level)
-    cycle_of_up, cycle_of_down = cycles.index[rises], cycles.index[falls]
+    cycle_of_up, cycle_of_down = cycles.cycle_of(rises), cycles.cycle_of(falls)
 
     n = cycles.count
     first, last = cycles.offsets, cycles.offsets + cycles.lengths
-    still_open = np.append(is_open, is_open[-1])
+    still_open = is_open[np.minimum(last, len(is_open) - 1)]
     begin = np.bincount(cycle_of_up, ups, n) + np.where(is_open[first], first, 0.0)
-    end = np.bincount(cycle_of_down, downs, n) + np.where(still_open[last], last, 0.0)
+    end = np.bincount(cycle_of_down, downs, n) + np.where(still_open, last, 0.0)
 
     minima = refined_extremum(area_m2, lowest_near(area_m2, cycles.bounds, cycles.lengths.min() / 16))
     opens, closes = minima[:-1] - cycles.bounds[0], minima[1:] - cycles.bounds[0]
