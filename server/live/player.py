@@ -1,12 +1,10 @@
 """One played voice, in the process of the voices: words of the hand go in, a block of sound every 10 ms comes out."""
 
-import json
 import math
 import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
-from multiprocessing.connection import Connection
 from typing import Any
 
 import numpy as np
@@ -20,7 +18,8 @@ from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Block, Voice
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict, simulation_to_dict
 from vfcore.version import MODEL_VERSION
-from vocalis_server.live.protocol import CONTROLS, HANG_UP, SOUND, TEXT, audio_frame, merged
+from vocalis_server.live.client import GOING_AWAY, Client, Left
+from vocalis_server.live.protocol import CONTROLS, audio_frame, merged, read_message
 from vocalis_server.live.recording import Recording
 from vocalis_server.live.strobe import Strobe
 from vocalis_server.problems import problem_of
@@ -34,10 +33,11 @@ LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin agai
 
 
 class Player:
-    """Plays until the other end of ``link`` hangs up: ``prepare`` once, then ``turn`` whenever it is ``due_s``."""
+    """Plays until its client leaves: ``prepare`` once, then ``turn`` whenever it is ``due_s``."""
 
-    def __init__(self, link: Connection):
-        self._link = link
+    def __init__(self, client: Client):
+        self._client = client
+        self._hung_up = self._over = False
         self._wanted: Simulation = Simulation()
         self._document: dict[str, Any] = simulation_to_dict(self._wanted)
         self._paths: tuple[str, ...] = ()
@@ -52,36 +52,50 @@ class Player:
         self.due_s = 0.0
 
     def prepare(self) -> bool:
-        """Hear what is wanted first and make that voice, which may compile; False when there will be none."""
+        """Hear what is wanted first and make that voice, which may compile; False when all is over."""
         return self._goes_on(self._first_words)
 
     def turn(self) -> bool:
-        """Make the block that is due; False when the voice is over. One that breaks down says why."""
+        """Make the block that is due; False when all is over. A voice that breaks down says why."""
         return self._goes_on(self._next)
 
+    def hang_up(self) -> None:
+        """The server stops: to be called from any thread."""
+        self._hung_up = True
+
     def close(self) -> None:
-        self._link.close()
+        self._client.close()
 
     def _goes_on(self, act: Callable[[], None]) -> bool:
-        try:
-            act()
-        except (EOFError, OSError):  # the client has left
-            return False
-        except VocalisError as error:
-            with suppress(OSError):
-                self._say({"type": "problem", "problem": problem_of(error), "over": True})
-            return False
-        return True
+        if not self._over:
+            try:
+                act()
+            except Left:
+                self._over = True
+            except VocalisError as error:
+                with suppress(Left):
+                    self._say({"type": "problem", "problem": problem_of(error), "over": True})
+                self._end()
+        if not self._over:
+            return True
+        self.due_s = time.monotonic() + BLOCK_S
+        return self._client.lingers()
+
+    def _end(self, *why) -> None:
+        self._client.dismiss(*why)
+        self._over = True
 
     def _first_words(self) -> None:
-        if self._link.poll(FIRST_WORD_S):
-            self._listen()
+        self._client.wait(FIRST_WORD_S)
+        self._listen()
         self._begin()
         self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": AUDIO_RATE_HZ // 100,
                    "full_scale_pa": FULL_SCALE_PA, "model_version": MODEL_VERSION})  # fmt: skip
         self.due_s = time.monotonic() - LEAD_BLOCKS * BLOCK_S
 
     def _next(self) -> None:
+        if self._hung_up:
+            return self._end(GOING_AWAY, "the server stops")
         self._listen()
         self._block()
         self.due_s += BLOCK_S - PACE_GAIN * self._lead_error_s
@@ -107,7 +121,7 @@ class Player:
         block = voice.advance(target, self._strobe.moment() if show else 0)
         if self._recording is not None:
             self._recording.take(voice.blocks, target)
-        self._link.send_bytes(SOUND + audio_frame(self._sequence, block.audio_pa))
+        self._client.send(audio_frame(self._sequence, block.audio_pa))
         self._sequence += 1
         self._follow(block, show)
 
@@ -147,11 +161,12 @@ class Player:
         change: dict[str, Any] = {}
         record: bool | None = None
         stamp: int | None = None
-        while self._link.poll():
-            said = self._link.recv_bytes()
-            if said == HANG_UP:
-                raise EOFError
-            message = json.loads(said)
+        for said in self._client.messages():
+            try:
+                message = read_message(said)
+            except ParameterError as error:
+                self._say({"type": "problem", "problem": problem_of(error), "over": False})
+                continue
             if "buffer_ms" in message and "wanted_buffer_ms" in message:
                 self._lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
             record, stamp = message.get("record", record), message.get("stamp", stamp)
@@ -189,7 +204,7 @@ class Player:
             self._recording = None
 
     def _say(self, document: dict[str, Any]) -> None:
-        self._link.send_bytes(TEXT + json_text(document).encode())
+        self._client.send(json_text(document))
 
 
 def _number(value: float, digits: int) -> float | None:

@@ -20,16 +20,14 @@ from vfcore.audio import FULL_SCALE_PA
 from vfcore.errors import ParameterError
 
 LONGEST_MESSAGE = 16_384
-#: First byte of a frame between the processes: what follows is text, or sound.
-TEXT, SOUND = b"T", b"S"
-#: Instead of a message: the client has left.
-HANG_UP = b""
 CONTROLS = ("buffer_ms", "wanted_buffer_ms", "stamp", "record")
 LARGEST_STAMP = 2**53 - 1  # of the whole numbers that JavaScript keeps exactly
 
 
-def read_message(text: str) -> dict[str, Any]:
-    """One message of a client; ParameterError when it is not an object or too long."""
+def read_message(text: str | bytes) -> dict[str, Any]:
+    """One message of a client; ParameterError when it is not text, not an object or too long."""
+    if isinstance(text, bytes):
+        raise ParameterError("message", "is binary", "text: an object in JSON")
     if len(text) > LONGEST_MESSAGE:
         raise ParameterError("message", f"{len(text)} characters are too many", f"up to {LONGEST_MESSAGE}")
     try:
