@@ -17,6 +17,7 @@ LARGEST_FRAME = 65_536
 MESSAGES_PER_S = 200  # a hand makes 60; twice as many may come at once
 FAREWELL_S = 1.0  # for the client's own last word
 POLICY, GOING_AWAY = 1008, 1012
+_HEADERS: dict[int, bytes] = {}
 
 
 class Left(Exception):
@@ -24,7 +25,7 @@ class Left(Exception):
 
 
 class Client:
-    """``messages`` and ``send`` raise Left when there is nobody any more."""
+    """``messages``, ``send`` and ``send_sound`` raise Left when there is nobody any more."""
 
     def __init__(self, connection: socket.socket, greeting: bytes):
         self._socket = connection
@@ -67,13 +68,17 @@ class Client:
                 raise Left
         return said
 
-    def send(self, frame: bytes | str) -> None:
-        """A frame, sound or text; what the system does not take at once goes with the next one."""
-        if isinstance(frame, str):
-            self._protocol.send_text(frame.encode())
-        else:
-            self._protocol.send_binary(frame)
+    def send(self, text: str) -> None:
+        """A frame of text; what the system does not take at once goes with the next one."""
+        self._protocol.send_text(text.encode())
         self._post()
+
+    def send_sound(self, octets: bytearray) -> None:
+        """A binary frame, as ``Protocol.send_binary`` makes it: the header depends on nothing but the length."""
+        if len(octets) not in _HEADERS:
+            _HEADERS[len(octets)] = Frame(Opcode.BINARY, octets).serialize(mask=False)[: -len(octets)]
+        self._waiting.append(memoryview(_HEADERS[len(octets)] + octets))
+        self._flush()
         if len(self._waiting) > MOST_WAITING:
             self.dismiss(POLICY, "the sound is not taken as fast as it is made")
             raise Left

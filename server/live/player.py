@@ -2,6 +2,7 @@
 
 import math
 import time
+from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
@@ -19,14 +20,16 @@ from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict, simulation_to_dict
 from vfcore.version import MODEL_VERSION
 from vocalis_server.live.client import GOING_AWAY, Client, Left
-from vocalis_server.live.protocol import CONTROLS, audio_frame, merged, read_message
+from vocalis_server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, merged, read_message
 from vocalis_server.live.recording import Recording
 from vocalis_server.live.strobe import Strobe
 from vocalis_server.problems import problem_of
 
 FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
-STATE_EVERY = 4  # blocks: 25 pictures a second
+STATE_EVERY = 6  # blocks: 17 pictures a second, which is what a screen beside a played voice has time for
+CALM_BLOCKS = 25  # after so long without a movement the hand rests
+AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
 WAVE_EVERY = 10  # samples: 3.5 kHz is enough for a line on a screen
 PACE_GAIN = 0.05  # share of the buffer's error that a block makes good
 LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin again from now
@@ -47,8 +50,9 @@ class Player:
         self._first_recorded = 0
         self._lead_error_s = 0.0
         self._sequence = 0
-        self._levels: list[np.ndarray] = []
-        self._waves: list[np.ndarray] = []
+        self._calm = 0
+        self._last: deque[Block] = deque(maxlen=STATE_EVERY)
+        self._frame = SoundFrame()
         self.due_s = 0.0
 
     def prepare(self) -> bool:
@@ -89,7 +93,7 @@ class Player:
         self._client.wait(FIRST_WORD_S)
         self._listen()
         self._begin()
-        self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": AUDIO_RATE_HZ // 100,
+        self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": BLOCK_SAMPLES,
                    "full_scale_pa": FULL_SCALE_PA, "model_version": MODEL_VERSION})  # fmt: skip
         self.due_s = time.monotonic() - LEAD_BLOCKS * BLOCK_S
 
@@ -97,41 +101,51 @@ class Player:
         if self._hung_up:
             return self._end(GOING_AWAY, "the server stops")
         self._listen()
-        self._block()
-        self.due_s += BLOCK_S - PACE_GAIN * self._lead_error_s
-        self._lead_error_s *= 1.0 - PACE_GAIN
+        for _ in range(AT_REST if self._calm > CALM_BLOCKS else 1):
+            self._block()
+            self.due_s += BLOCK_S - PACE_GAIN * self._lead_error_s
+            self._lead_error_s *= 1.0 - PACE_GAIN
         now = time.monotonic()
         if self.due_s < now - LARGEST_LAG_S:
             self.due_s = now
 
     def _begin(self) -> None:
-        self._voice = Voice(self._wanted)
+        self._voice = Voice(self._wanted, far=False)
         self._paths = ()
         self._strobe = Strobe()
+        self._last.clear()
 
     def _block(self) -> None:
         voice = self._voice
-        now = voice.request
-        target = approach(now, self._wanted, self._paths) if self._paths else now
-        if target.vowel != self._wanted.vowel:
-            target = replace(target, vowel=self._wanted.vowel)
-        if self._paths and not differences(target, self._wanted):
-            self._paths = ()
+        target = self._target(voice.request)
+        self._calm += 1
         show = (self._sequence + 1) % STATE_EVERY == 0
-        block = voice.advance(target, self._strobe.moment() if show else 0)
+        look_at = 0
+        if show:
+            look_at = self._strobe.moment([block.record[:, 0] for block in self._last], STATE_EVERY * BLOCK_S)
+        block = voice.advance(target, look_at)
         if self._recording is not None:
             self._recording.take(voice.blocks, target)
-        self._client.send(audio_frame(self._sequence, block.audio_pa))
+        self._client.send_sound(self._frame.of(self._sequence, block.audio_pa))
         self._sequence += 1
-        self._follow(block, show)
+        self._last.append(block)
+        if show:
+            self._show()
 
-    def _follow(self, block: Block, show: bool) -> None:
-        self._strobe.follow(block.record[:, 0], measure=show)
-        self._levels = [*self._levels[-5:], block.lip_pressure_pa]
-        self._waves.append(block.record[::WAVE_EVERY, :2])
-        if not show:
-            return
-        waves, self._waves = np.concatenate(self._waves), []
+    def _target(self, now: Simulation) -> Simulation:
+        """Where the next block leads to."""
+        if self._paths:
+            target = approach(now, self._wanted, self._paths)
+            if not differences(target, self._wanted):
+                self._paths = ()
+        else:
+            target = now
+        return target if target.vowel == self._wanted.vowel else replace(target, vowel=self._wanted.vowel)
+
+    def _show(self) -> None:
+        """What the page draws: the folds as the strobe saw them, and the waves since the last time."""
+        waves = np.concatenate([block.record[::WAVE_EVERY, :2] for block in self._last])
+        level = level_db(np.concatenate([block.lip_pressure_pa for block in self._last]))
         voice, fold = self._voice, self._voice.fold
         w, _ = voice.seen
         self._say(
@@ -140,7 +154,7 @@ class Player:
                 "sequence": self._sequence,
                 "time_s": round(voice.blocks * BLOCK_S, 3),
                 "fo_hz": _number(self._strobe.fo_hz, 2),
-                "spl_lips_db": _number(level_db(np.concatenate(self._levels)), 2),
+                "spl_lips_db": _number(level, 2),
                 "strain": voice.posture.strain,
                 "glottal_half_angle_rad": voice.posture.glottal_half_angle_rad,
                 "length_m": fold.coefficients.length_m,
@@ -192,6 +206,7 @@ class Player:
         self._document, self._wanted = document, wanted
         if self._voice is not None:
             self._paths = differences(self._voice.request, wanted)
+            self._calm = 0
 
     def _record(self, on: bool) -> None:
         if on:

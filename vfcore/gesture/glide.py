@@ -15,7 +15,7 @@ import numpy as np
 from vfcore import assemble
 from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M, step_kernel
 from vfcore.kernels.glide import put_between
-from vfcore.kernels.layout import RECORD
+from vfcore.kernels.layout import RECORD, Layout
 from vfcore.march import March, diverged
 
 #: 0.3 ms at the default step. In CT 0.1 → 0.9 within 50 ms, stretches of a fifth of it change the sound by −40 dB.
@@ -32,18 +32,22 @@ class GlidingFold:
         self._buffer, self._scalars = march.buffer, march.scalars
         self._advance = step_kernel(self.fold.nx, self.fold.ny, self.fold.rotation)
         self._air = None if march.air is None else march.air.copy()
+        self._beyond = assemble.beyond(self._buffer, Layout(self.fold.nx, self.fold.ny))
+        self._pressure = np.empty(0)
         self._rest = assemble.new_buffer(self.fold, self.time_step_s)
         self.seen = self.shape()
 
     def advance(self, to: assemble.Fold, pressure_pa: float, steps: int, look_at: int = 0) -> np.ndarray:
-        """Move to another fold of the same grid and another pressure in ``steps``; (steps, 5), layout.RECORD.
+        """Move to another fold of the same grid and another pressure in ``steps``; (steps, 7), layout.RECORD.
 
         ``look_at``: the step, a multiple of STRETCH_STEPS, after which ``seen`` is taken, 0 for not at all; looking
         changes nothing.
         Raises DivergenceError when the fold leaves all bounds.
         """
         record = np.empty((steps, len(RECORD)))
-        pressure = np.linspace(self.pressure_pa, pressure_pa, steps, endpoint=False)
+        if pressure_pa != self.pressure_pa or len(self._pressure) != steps or self._pressure[-1] != pressure_pa:
+            self._pressure = np.linspace(self.pressure_pa, pressure_pa, steps, endpoint=False)
+        pressure = self._pressure
         if to is self.fold:
             self._march(pressure, record, 0, look_at or steps)
             if look_at:
@@ -53,9 +57,10 @@ class GlidingFold:
             self._glide(to, pressure, record, look_at)
         self.fold, self.pressure_pa = to, pressure_pa
         self.steps += steps
-        beyond = ~(np.abs(assemble.membrane(self._buffer, to)) < LARGEST_DISPLACEMENT_M)  # true for NaN
-        if beyond.any():
-            raise diverged(to, self.time_step_s, self.steps - 1, beyond)
+        if self._beyond.any():
+            beyond = ~(np.abs(assemble.membrane(self._buffer, to)) < LARGEST_DISPLACEMENT_M)  # true for NaN
+            if beyond.any():
+                raise diverged(to, self.time_step_s, self.steps - 1, beyond)
         return record
 
     def shape(self) -> tuple[np.ndarray, np.ndarray]:
