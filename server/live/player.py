@@ -13,8 +13,9 @@ import numpy as np
 from vfcore.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 from vfcore.document import json_text
 from vfcore.errors import ParameterError, VocalisError
-from vfcore.gesture.approach import approach, differences
+from vfcore.gesture.approach import approach, differences, number_at
 from vfcore.gesture.contours import level_db
+from vfcore.gesture.gesture import MOVABLE, with_numbers
 from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Block, Voice
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict, simulation_to_dict
@@ -32,6 +33,8 @@ CALM_BLOCKS = 25  # after so long without a movement the hand rests
 AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
 WAVE_EVERY = 10  # samples: 3.5 kHz is enough for a line on a screen
 PACE_GAIN = 0.05  # share of the buffer's error that a block makes good
+#: Numbers that are changed without reading the whole document again.
+QUICK = frozenset(path for path in MOVABLE if path.startswith("activation.") or "." not in path)
 LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin again from now
 
 
@@ -136,8 +139,7 @@ class Player:
         """Where the next block leads to."""
         if self._paths:
             target = approach(now, self._wanted, self._paths)
-            if not differences(target, self._wanted):
-                self._paths = ()
+            self._paths = tuple(p for p in self._paths if number_at(target, p) != number_at(self._wanted, p))
         else:
             target = now
         return target if target.vowel == self._wanted.vowel else replace(target, vowel=self._wanted.vowel)
@@ -186,15 +188,16 @@ class Player:
             record, stamp = message.get("record", record), message.get("stamp", stamp)
             change = merged(change, {key: value for key, value in message.items() if key not in CONTROLS})
         if change:
-            self._want(merged(self._document, change))
+            self._want(change)
         if record is not None:
             self._record(record)
         if stamp is not None:
             self._say({"type": "heard", "stamp": stamp, "sequence": self._sequence})
 
-    def _want(self, document: dict[str, Any]) -> None:
+    def _want(self, change: dict[str, Any]) -> None:
+        document = merged(self._document, change)
         try:
-            wanted = simulation_from_dict(document)
+            wanted = self._changed(change) or simulation_from_dict(document)
             if self._voice is not None and (wanted.run, wanted.model) != (self._voice.request.run,
                                                                           self._voice.request.model):  # fmt: skip
                 raise ParameterError("model", "cannot change while the voice goes on", "a new connection")
@@ -207,6 +210,16 @@ class Player:
         if self._voice is not None:
             self._paths = differences(self._voice.request, wanted)
             self._calm = 0
+
+    def _changed(self, change: dict[str, Any]) -> Simulation | None:
+        """The same as the whole document says, where a hand moves muscles or breath as it does sixty times a second."""
+        numbers: dict[str, Any] = {}
+        for key, value in change.items():
+            if key == "activation" and isinstance(value, dict):
+                numbers |= {f"activation.{muscle}": number for muscle, number in value.items()}
+            else:
+                numbers[key] = value
+        return with_numbers(self._wanted, numbers) if QUICK.issuperset(numbers) else None
 
     def _record(self, on: bool) -> None:
         if on:

@@ -37,6 +37,7 @@ class GlidingFold:
         self._pressure = np.empty(0)
         self._layout = Layout(self.fold.nx, self.fold.ny)
         self._rest, self._rest_to = (assemble.new_buffer(self.fold, self.time_step_s) for _ in range(2))
+        self._fixed, self._fixed_to = (assemble.fixed(rest, self._layout, 0) for rest in (self._rest, self._rest_to))
         self._places, self._way = np.empty(self._layout.size, np.int64), np.empty(self._layout.size)
         self._passing = np.empty_like(self._scalars)
         self.seen = self.shape()
@@ -78,7 +79,7 @@ class GlidingFold:
 
     def _glide(self, to: assemble.Fold, pressure: np.ndarray, record: np.ndarray, look_at: int) -> None:
         rest_to = self._rest_to
-        assemble.fill(rest_to, self._layout, 0, to, self.time_step_s)
+        assemble.refill(self._fixed_to, to, self.time_step_s)
         count = differing(self._rest, rest_to, self._places, self._way)  # state is 0 in both: geometry and tissue
         places, way = self._places[:count], self._way[:count]
         scalars_to = assemble.scalars(to, self.time_step_s)
@@ -92,3 +93,4 @@ class GlidingFold:
                 self.seen = self.shape()
         self._buffer[places] = rest_to[places]
         self._rest, self._rest_to, self._scalars = rest_to, self._rest, scalars_to
+        self._fixed, self._fixed_to = self._fixed_to, self._fixed

@@ -1,4 +1,4 @@
-"""A fold part of the way between two, step by step: every fixed number of the buffer and of the step on a straight line."""
+"""A fold on its way between two: every fixed number of the buffer and of the step goes along a straight line."""
 
 from functools import lru_cache
 from types import FunctionType
