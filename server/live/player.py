@@ -28,7 +28,7 @@ from vocalis_server.problems import problem_of
 
 FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
-STATE_EVERY = 6  # blocks: 17 pictures a second, which is what a screen beside a played voice has time for
+STATE_EVERY = 8  # blocks: 12 pictures a second; a screen beside a played voice has no time for more
 CALM_BLOCKS = 25  # after so long without a movement the hand rests
 AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
 WAVE_EVERY = 10  # samples: 3.5 kHz is enough for a line on a screen
