@@ -2,8 +2,10 @@
 
 import json
 import secrets
+import socket
 import struct
 import time
+from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
@@ -14,6 +16,7 @@ from tests.server.live_server import serving, wait_until
 from vfcore.audio import FULL_SCALE_PA
 from vfcore.gesture.gesture import gesture_from_dict
 from vfcore.gesture.render import render
+from vocalis_server.live import handover
 
 
 @pytest.fixture(scope="module")
@@ -143,6 +146,61 @@ def test_a_flood_ends_the_connection_and_nothing_else(stage):
                 flooding.recv(timeout=10)
         assert closed.value.rcvd.code == 1008
         assert Heard(calm).listen(0.2).blocks
+
+
+def test_one_who_does_not_listen_is_sent_away(stage):
+    connection = socket.create_connection(urlsplit(stage.url).netloc.split(":"))
+    connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    key = "dGhlIHNhbXBsZSBub25jZQ=="
+    connection.sendall(
+        f"GET /api/v1/live HTTP/1.1\r\nHost: {urlsplit(stage.url).netloc}\r\nUpgrade: websocket\r\n"
+        f"Connection: Upgrade\r\nSec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\n\r\n".encode()
+    )
+    assert connection.recv(12) == b"HTTP/1.1 101"
+    wait_until(lambda: stage.services.voices.playing == 1)
+    wait_until(lambda: stage.services.voices.playing == 0)
+    connection.close()
+
+
+def test_a_large_message_in_pieces_is_one_message(stage):
+    with voice(stage) as talking:
+        heard = Heard(talking).listen(0.05)
+        talking.send(iter(['{"activation": ', '{"ct": 0.9}, ', '"stamp": 7}']))
+        heard.listen(5, until="heard")
+        assert heard.said[-1]["stamp"] == 7
+        talking.ping().wait(5)
+
+
+def test_a_voice_whose_process_dies_ends_and_the_next_one_has_another(stage):
+    with voice(stage) as playing:
+        heard = Heard(playing).listen(0.1)
+        stage.services.voices._process.kill()
+        with pytest.raises(ConnectionClosed):
+            heard.listen(20)
+    wait_until(lambda: stage.services.voices.playing == 0)
+    with voice(stage) as playing:
+        assert Heard(playing).listen(0.1).blocks
+
+
+def test_when_the_server_stops_it_says_so():
+    with serving() as server:
+        playing = voice(server).__enter__()
+        heard = Heard(playing).listen(0.1)
+    with pytest.raises(ConnectionClosed) as closed:
+        heard.listen(10)
+    assert closed.value.rcvd.code == 1012
+
+
+def test_where_sockets_cannot_be_handed_on_sound_and_words_are_carried(stage, monkeypatch):
+    """So it is with an encrypted connection, whose octets only the server can read."""
+    monkeypatch.setattr(handover, "can_go", lambda transport: False)
+    with voice(stage) as playing:
+        heard = Heard(playing)
+        heard.send(activation={"ct": 0.9})
+        state = heard.listen(0.6).states[-1]
+    assert state["fo_hz"] == pytest.approx(177.7, abs=1)
+    assert heard.sequence == list(range(len(heard.sequence)))
+    wait_until(lambda: stage.services.voices.playing == 0)
 
 
 def test_a_page_of_another_site_hears_nothing(stage):
