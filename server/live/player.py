@@ -32,7 +32,7 @@ STATE_EVERY = 8  # blocks: 12 pictures a second; a screen beside a played voice 
 CALM_BLOCKS = 25  # after so long without a movement the hand rests
 AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
 WAVE_EVERY = 10  # samples: 3.5 kHz is enough for a line on a screen
-PACE_GAIN = 0.05  # share of the buffer's error that a block makes good
+PACE_GAIN = 0.035  # share of the buffer's error that a block makes good
 #: Numbers that are changed without reading the whole document again.
 QUICK = frozenset(path for path in MOVABLE if path.startswith("activation.") or "." not in path)
 LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin again from now
