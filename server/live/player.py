@@ -31,7 +31,7 @@ LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
 STATE_EVERY = 8  # blocks: 12 pictures a second; a screen beside a played voice has no time for more
 CALM_BLOCKS = 25  # after so long without a movement the hand rests
 AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
-WAVE_EVERY = 10  # samples: 3.5 kHz is enough for a line on a screen
+WAVE_EVERY = 14  # samples: 2.5 kHz is enough for a line on a screen
 PACE_GAIN = 0.035  # share of the buffer's error that a block makes good
 #: Numbers that are changed without reading the whole document again.
 QUICK = frozenset(path for path in MOVABLE if path.startswith("activation.") or "." not in path)
