@@ -48,7 +48,7 @@ class Host:
         """End every voice."""
         if self._process is not None:
             self._control.close()
-            self._process.join(2 * FAREWELL_S)
+            self._process.join(FAREWELL_S)
             self._process.kill()
             self._process.join(1.0)
 

@@ -3,6 +3,7 @@
 import json
 import secrets
 import socket
+from contextlib import ExitStack
 from urllib.parse import urlsplit
 
 import pytest
@@ -83,11 +84,11 @@ def test_a_voice_whose_process_dies_ends_and_the_next_one_has_another(stage):
 
 
 def test_when_the_server_stops_it_says_so():
-    with serving() as server:
-        playing = voice(server).__enter__()
-        heard = Heard(playing).listen(0.1)
-    with pytest.raises(ConnectionClosed) as closed:
-        heard.listen(10)
+    with ExitStack() as here:
+        with serving() as server:
+            heard = Heard(here.enter_context(voice(server))).listen(0.1)
+        with pytest.raises(ConnectionClosed) as closed:
+            heard.listen(10)
     assert closed.value.rcvd.code == 1012
 
 
