@@ -5,6 +5,8 @@ import pytest
 
 from vfcore.kernels.response import respond
 
+pytestmark = pytest.mark.kernel
+
 
 @pytest.mark.parametrize("n, taps", [(350, 1700), (7, 3), (6, 40), (5, 1)])
 def test_joined_blocks_are_the_convolution_of_the_whole(n, taps):
