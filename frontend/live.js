@@ -14,7 +14,9 @@ import { connection, setConnection } from "./state/session.js";
 
 export const LIVE_S = 0.5;
 const RETRY_MS = 1500;
-const PLAYED_REST_MS = 250; // between the runs beside a played voice: it has the machine first, and shows what it does
+// Between postures and between runs beside a played voice: it has the machine first, and shows what it does.
+const PLAYED_POSTURE_REST_MS = 80;
+const PLAYED_RUN_REST_MS = 600;
 
 /** Starts following the request; returns the end of it. */
 export function followRequest() {
@@ -71,7 +73,11 @@ export function followRequest() {
     recordInput(job.version);
     untracked(() => push(job));
   });
-  const yields = effect(() => void (voices.restMs = status.value === "off" ? 0 : PLAYED_REST_MS));
+  const yields = effect(() => {
+    const played = status.value !== "off";
+    postures.restMs = played ? PLAYED_POSTURE_REST_MS : 0;
+    voices.restMs = played ? PLAYED_RUN_REST_MS : 0;
+  });
   return () => {
     stop();
     yields();

@@ -1,10 +1,12 @@
 /**
  * Slow motion or strobe: moves the shared phase on while something vibrates, at the rate written on the stage. While the hand
- * moves a control the motion takes fewer steps, so that the frames are there for what the hand does.
+ * moves a control the motion takes fewer steps, so that the frames are there for what the hand does. It rests beside a
+ * played voice.
  */
 import { effect } from "./ui.js";
 import { isVoiced } from "./result.js";
 import { result } from "./state/outcome.js";
+import { status } from "./state/play.js";
 import { version } from "./state/request.js";
 import { FLASHES_HZ, moving, phase, pointing, setPhase, slowdown, strobe } from "./state/motion.js";
 
@@ -31,7 +33,8 @@ export function followMotion() {
   });
   const stop = effect(() => {
     cancelAnimationFrame(request);
-    if (!moving.value || pointing.value || !isVoiced(result.value)) return;
+    // A played voice is seen by a strobe of its own, and wants the frames for its sound.
+    if (status.value !== "off" || !moving.value || pointing.value || !isVoiced(result.value)) return;
     before = performance.now();
     request = requestAnimationFrame(step);
   });

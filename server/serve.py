@@ -14,6 +14,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from vocalis_server.access import is_loopback
 from vocalis_server.app import create_app
 from vocalis_server.jobs.database import StorageUnusable
+from vocalis_server.live.handover import HandsOver
 from vocalis_server.services import Services
 from vocalis_server.settings import Settings
 
@@ -52,7 +53,9 @@ def serve(
         log_config=None,
         access_log=False,
         server_header=False,
+        ws=HandsOver,
         ws_max_size=65_536,
+        ws_per_message_deflate=False,
         timeout_graceful_shutdown=GRACE_S,
         ssl_certfile=settings.tls_cert,
         ssl_keyfile=settings.tls_key,

@@ -1,6 +1,7 @@
 """From a posture and its coefficients to the buffer the step works on."""
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -115,37 +116,69 @@ def new_buffer(fold: Fold, time_step_s: float) -> np.ndarray:
     return buffer
 
 
-def fill(buffer: np.ndarray, layout: Layout, place: int, fold: Fold, time_step_s: float) -> None:
-    """Write the fixed fields of ``fold`` as number ``place`` of the folds side by side in ``buffer``."""
-    rows = slice(layout.anterior, layout.anterior + fold.nx)
-    medial = _field(buffer, layout, "G")[:, :, place]
-    medial[:] = 1.0  # idle columns: far from contact
-    medial[:, rows] = fold.medial_plane_m
+class Fixed(NamedTuple):
+    """Views of the fixed fields of one fold in a buffer, by their names in layout.py; the beam's inverse (nx−2, nx−2)
+    transposed, as it is stored."""
+
+    G: np.ndarray
+    medial: np.ndarray
+    K_coup: np.ndarray
+    weight: np.ndarray
+    per_weight: np.ndarray
+    inverse_density: np.ndarray
+    width: np.ndarray
+    column: np.ndarray
+    beam_load: np.ndarray
+    beam_inverse: np.ndarray
+
+
+def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
+    """Where the fixed fields of number ``place`` of the folds side by side in ``buffer`` stand."""
+    first, nx, ny = layout.anterior, layout.nx, layout.ny
 
     def per_row(name: str) -> np.ndarray:
         start = layout.row_numbers(name)
-        return buffer[start : start + fold.ny * layout.postures].reshape(fold.ny, layout.postures)[:, place]
+        return buffer[start : start + ny * layout.postures].reshape(ny, layout.postures)[:, place]
 
-    per_row("K_coup")[:] = fold.K_coup_pa_m
-    weight, per_weight = per_row("weight"), per_row("per_weight")
-    weight[:], per_weight[:] = 1.0, 1.0
-    weight[[0, -1]], per_weight[[0, -1]] = 0.5, 2.0
+    def inner(name: str) -> np.ndarray:
+        return _line(buffer, layout, name)[first + 1 : first + nx - 1, place]
 
-    def line(name: str) -> np.ndarray:
-        return _line(buffer, layout, name)[:, place]
+    field = _field(buffer, layout, "G")[:, :, place]
+    return Fixed(
+        field,
+        field[:, first : first + nx],
+        per_row("K_coup"),
+        per_row("weight"),
+        per_row("per_weight"),
+        inner("inverse_density"),
+        _line(buffer, layout, "width")[first + 1 : first + nx, place],
+        _line(buffer, layout, "column")[:, place],
+        inner("beam_load"),
+        buffer[layout.beam_inverse :].reshape(nx - 2, layout.columns, layout.postures)[:, : nx - 2, place],
+    )
 
-    inner, last = slice(layout.anterior + 1, layout.anterior + fold.nx - 1), layout.anterior + fold.nx - 1
-    line("inverse_density")[inner] = 1.0 / fold.coefficients.membrane_density_kg_m2
-    line("width")[inner] = fold.dx
-    line("width")[last] = 0.5 * fold.dx
-    line("column")[:] = np.arange(layout.stride // layout.postures) - layout.anterior
-    line("beam_load")[inner] = fold.beam_load_n_m / fold.coefficients.beam_density_kg_m
 
-    n = fold.nx - 2
-    A = fold.beam_matrix_n_m2 / fold.coefficients.beam_density_kg_m
-    inverse = np.linalg.inv(np.eye(n) - 0.25 * time_step_s**2 * A)
-    block = buffer[layout.beam_inverse :].reshape(n, layout.columns, layout.postures)
-    block[:, :n, place] = inverse.T
+def fill(buffer: np.ndarray, layout: Layout, place: int, fold: Fold, time_step_s: float) -> None:
+    """Write the fixed fields of ``fold`` as number ``place`` of the folds side by side in ``buffer``."""
+    views = fixed(buffer, layout, place)
+    views.G[:] = 1.0  # idle columns: far from contact
+    views.weight[:], views.per_weight[:] = 1.0, 1.0
+    views.weight[[0, -1]], views.per_weight[[0, -1]] = 0.5, 2.0
+    views.column[:] = np.arange(layout.stride // layout.postures) - layout.anterior
+    refill(views, fold, time_step_s)
+
+
+def refill(views: Fixed, fold: Fold, time_step_s: float) -> None:
+    """Write what depends on posture and tissue; grid and place are those the buffer was filled for."""
+    c = fold.coefficients
+    views.medial[:] = fold.medial_plane_m
+    views.K_coup[:] = fold.K_coup_pa_m
+    views.inverse_density[:] = 1.0 / c.membrane_density_kg_m2
+    views.width[:] = fold.dx
+    views.width[-1] = 0.5 * fold.dx
+    views.beam_load[:] = fold.beam_load_n_m / c.beam_density_kg_m
+    A = fold.beam_matrix_n_m2 / c.beam_density_kg_m
+    views.beam_inverse[:] = np.linalg.inv(np.eye(fold.nx - 2) - 0.25 * time_step_s**2 * A).T
 
 
 def _field(buffer: np.ndarray, layout: Layout, name: str) -> np.ndarray:

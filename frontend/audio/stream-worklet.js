@@ -2,8 +2,9 @@
  * Plays blocks of sound as they come, from as small a buffer as the line allows. Falls silent and comes back by fading,
  * never by a click.
  *
- * What is kept in step is the low water: the least that waited since the last report. It is wanted where the deepest dip
- * seen lately would still leave SAFETY_MS; the server sends a little faster or slower until it is there.
+ * What is kept in step is the low water: the least that waited since the last report, the middle of the last few reports,
+ * for a dip that has passed must not call for more. It is wanted where the deepest dip seen lately would still leave
+ * SAFETY_MS; the server sends a little faster or slower until it is there.
  *
  * The node's own port takes {line}: the port that blocks come through as {samples, mark}, and that reports
  * {bufferMs, wantedMs, gaps, played} and {mark, at} (the context's time at which a marked block begins) go back to.
@@ -12,12 +13,13 @@
 const FADE = 240; // samples, 5 ms at 48 kHz
 const CAPACITY = 1 << 15;
 const LEAST_MS = 6;
-const FIRST_MS = 20;
+const FIRST_MS = 32; // what a page that paints on two cores needs; in calm it shrinks
 const MOST_MS = 200;
 const SAFETY_MS = 4;
 const GROW_MS = 10; // after a gap: how deep the dip would have been, nobody knows
-const SHRINK_MS = 2;
+const SHRINK_MS = 5;
 const WATCH_REPORTS = 80; // 5 s: the stretch whose deepest dip counts
+const MIDDLE_OF = 5; // reports
 const REPORT_EVERY = 24; // quanta of 128 samples: 64 ms
 
 class Stream extends AudioWorkletProcessor {
@@ -32,6 +34,7 @@ class Stream extends AudioWorkletProcessor {
     this.last = 0;
     this.wantedMs = FIRST_MS;
     this.low = Infinity;
+    this.lows = [];
     this.deepestMs = 0;
     this.reports = 0;
     this.gaps = 0;
@@ -79,10 +82,12 @@ class Stream extends AudioWorkletProcessor {
   }
 
   report() {
-    const bufferMs = (this.low / sampleRate) * 1000;
+    const lowMs = (this.low / sampleRate) * 1000;
     this.low = Infinity;
+    this.lows = [...this.lows.slice(1 - MIDDLE_OF), lowMs];
+    const bufferMs = this.lows.toSorted((a, b) => a - b)[this.lows.length >> 1];
     this.line.postMessage({ bufferMs, wantedMs: this.wantedMs, gaps: this.gaps, played: this.played / sampleRate });
-    this.deepestMs = Math.max(this.deepestMs, this.wantedMs - bufferMs);
+    this.deepestMs = Math.max(this.deepestMs, this.wantedMs - lowMs);
     const enough = Math.max(LEAST_MS, this.deepestMs + SAFETY_MS);
     if (enough > this.wantedMs) this.wantedMs = Math.min(MOST_MS, enough);
     if (++this.reports % WATCH_REPORTS) return;

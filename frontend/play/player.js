@@ -15,7 +15,7 @@ import { Connection } from "./connection.js";
 const RATE = 48000; // the context resamples to whatever the device has
 const FADE_IN_S = 0.15;
 const FADE_OUT_S = 0.06;
-const LIMITER_S = 0.006; // a DynamicsCompressorNode looks ahead (Web Audio API, section 1.19)
+const KNEE = 0.5; // of full scale: what is louder bends towards 1 and never passes it, without looking ahead
 const LOUDEST = 4; // the server's full scale leaves room for 170 dB; modal voice peaks at a tenth of it
 const NOT_LIVE = /^(run\.|model\.)/;
 
@@ -62,7 +62,7 @@ class Session {
     await context.audioWorklet.addModule(new URL("../audio/stream-worklet.js", import.meta.url));
     const node = new AudioWorkletNode(context, "vocalis-stream", { numberOfInputs: 0, outputChannelCount: [1] });
     const gain = new GainNode(context, { gain: 0 });
-    const limiter = new DynamicsCompressorNode(context, { threshold: -6, knee: 3, ratio: 20, attack: 0.001, release: 0.08 });
+    const limiter = new WaveShaperNode(context, { curve: bend() });
     const analyser = new AnalyserNode(context, { fftSize: 4096, smoothingTimeConstant: 0.5 });
     node.connect(gain).connect(limiter).connect(analyser).connect(context.destination);
     this.graph = { context, node, gain, analyser };
@@ -117,7 +117,13 @@ class Session {
 /** When a moment of the worklet leaves the loudspeaker, on the page's clock. */
 function outputTime(context, at) {
   const { contextTime, performanceTime } = context.getOutputTimestamp();
-  return performanceTime + (at + LIMITER_S - contextTime) * 1000;
+  return performanceTime + (at - contextTime) * 1000;
+}
+
+/** A straight line up to KNEE, then a curve that leaves it smoothly; a WaveShaperNode holds what is beyond ±1. */
+function bend() {
+  const curve = (x) => (x < KNEE ? x : KNEE + (1 - KNEE) * Math.tanh((x - KNEE) / (1 - KNEE)));
+  return Float32Array.from({ length: 2049 }, (_, k) => Math.sign(k - 1024) * curve(Math.abs(k - 1024) / 1024));
 }
 
 function bodyOf(schemaNow, valuesNow) {

@@ -1,77 +1,20 @@
-"""The server's side of played voices: starts their process, hands out voices, and counts them."""
+"""The server's side of played voices: starts their process, hands clients over to it, and counts them."""
 
 import asyncio
-import json
 import multiprocessing
 import threading
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
+from itertools import count
 from multiprocessing.connection import Connection
 from typing import Any
 
-from vocalis_server.live.process import WARM, serve_voices
-from vocalis_server.live.protocol import HANG_UP, TEXT
+from vocalis_server.live.handover import Handed
+from vocalis_server.live.process import FAREWELL_S, WARM, serve_voices
 from vocalis_server.problems import NotReady, TooMany
 
 _SPAWN = multiprocessing.get_context("spawn")
 START_S = 60.0  # compiling on a slow machine
-#: What a client that does not read may have waiting: half a second of sound with its state frames.
-MOST_WAITING = 70
-
-
-class Slow(Exception):
-    """The client does not take its sound."""
-
-
-class Line:
-    """One voice as the server sees it."""
-
-    def __init__(self, link: Connection):
-        self._link = link
-        self._frames: asyncio.Queue[bytes | str | None] = asyncio.Queue()
-        self._loop = asyncio.get_running_loop()
-        try:
-            self._loop.add_reader(link.fileno(), self._take)
-        except (NotImplementedError, OSError, ValueError):  # a system whose loop cannot wait for pipes
-            threading.Thread(target=self._read, name="voice line", daemon=True).start()
-
-    def send(self, message: dict[str, Any]) -> None:
-        """A message for the voice; one that has ended hears nothing."""
-        with suppress(OSError):
-            self._link.send_bytes(json.dumps(message).encode())
-
-    async def frame(self) -> bytes | str | None:
-        """The next frame, sound or text; None when the voice has ended. Raises Slow when too many wait."""
-        if self._frames.qsize() > MOST_WAITING:
-            raise Slow
-        return await self._frames.get()
-
-    def close(self) -> None:
-        """Hang up: the voice ends with its next block, and then the line."""
-        with suppress(OSError):
-            self._link.send_bytes(HANG_UP)
-
-    def _take(self) -> None:
-        """A frame has come: one a turn, so that no line keeps the others waiting."""
-        try:
-            frame = self._link.recv_bytes()
-        except (EOFError, OSError):
-            self._loop.remove_reader(self._link.fileno())
-            self._link.close()
-            self._frames.put_nowait(None)
-        else:
-            self._frames.put_nowait(decoded(frame))
-
-    def _read(self) -> None:
-        with suppress(EOFError, OSError, RuntimeError):  # RuntimeError: the loop is closed
-            while True:
-                self._hand_over(decoded(self._link.recv_bytes()))
-        self._link.close()
-        with suppress(RuntimeError):
-            self._hand_over(None)
-
-    def _hand_over(self, frame: bytes | str | None) -> None:
-        self._loop.call_soon_threadsafe(self._frames.put_nowait, frame)
 
 
 class Host:
@@ -83,34 +26,45 @@ class Host:
         self._process: Any = None
         self._control: Connection | None = None
         self._starting = asyncio.Lock()
+        self._numbers = count()
+        self._over: dict[int, asyncio.Future[None]] = {}
 
     @asynccontextmanager
-    async def voice(self) -> AsyncIterator[Line]:
-        """A voice for as long as the block lasts. Raises TooMany or NotReady."""
+    async def place(self) -> AsyncIterator[Callable[[Handed], Awaitable[None]]]:
+        """A place among the voices: what it gives plays for a client until it has left. Raises TooMany or NotReady."""
         if self.playing >= self._most:
             raise TooMany(
                 f"{self.playing} voices are being played, the most this server takes (VOCALIS_LIVE_VOICES). "
                 "Try again when one has stopped."
             )
         self.playing += 1
-        line = None
         try:
             await self._started()
-            ours, theirs = _SPAWN.Pipe()
-            self._control.send(theirs)
-            theirs.close()
-            line = Line(ours)
-            yield line
+            yield self._play
         finally:
             self.playing -= 1
-            if line is not None:
-                line.close()
 
     def close(self) -> None:
         """End every voice."""
         if self._process is not None:
+            self._control.close()
+            self._process.join(FAREWELL_S)
             self._process.kill()
             self._process.join(1.0)
+
+    async def _play(self, client: Handed) -> None:
+        number, over = next(self._numbers), asyncio.get_running_loop().create_future()
+        self._over[number] = over
+        control = self._control
+        try:
+            control.send((number, *client))
+            client.socket.close()
+            await over
+        finally:
+            self._over.pop(number, None)
+            if not over.done() or over.cancelled():
+                with suppress(OSError):
+                    control.send((number,))
 
     async def _started(self) -> None:
         async with self._starting:
@@ -127,8 +81,20 @@ class Host:
             if not warm:
                 self.close()
                 raise NotReady("Not ready: the process that plays voices did not start.")
+            hearing = (self._control, asyncio.get_running_loop(), self._over)
+            threading.Thread(target=_hear, args=hearing, name="voices", daemon=True).start()
 
 
-def decoded(frame: bytes) -> bytes | str:
-    """A frame of the voices' process as it goes to the client."""
-    return frame[1:].decode() if frame[:1] == TEXT else frame[1:]
+def _hear(control: Connection, loop: asyncio.AbstractEventLoop, over: dict[int, asyncio.Future[None]]) -> None:
+    """Note which clients have left; all, when the process ends."""
+
+    def left(*numbers: int) -> None:
+        for number in numbers or tuple(over):
+            if number in over and not over[number].done():
+                over[number].set_result(None)
+
+    with suppress(RuntimeError):  # the loop is closed
+        with suppress(EOFError, OSError):
+            while True:
+                loop.call_soon_threadsafe(left, control.recv())
+        loop.call_soon_threadsafe(left)

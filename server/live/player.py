@@ -1,12 +1,11 @@
 """One played voice, in the process of the voices: words of the hand go in, a block of sound every 10 ms comes out."""
 
-import json
 import math
 import time
+from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
-from multiprocessing.connection import Connection
 from typing import Any
 
 import numpy as np
@@ -14,30 +13,37 @@ import numpy as np
 from vfcore.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 from vfcore.document import json_text
 from vfcore.errors import ParameterError, VocalisError
-from vfcore.gesture.approach import approach, differences
+from vfcore.gesture.approach import approach, differences, number_at
 from vfcore.gesture.contours import level_db
+from vfcore.gesture.gesture import MOVABLE, with_numbers
 from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Block, Voice
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict, simulation_to_dict
 from vfcore.version import MODEL_VERSION
-from vocalis_server.live.protocol import CONTROLS, HANG_UP, SOUND, TEXT, audio_frame, merged
+from vocalis_server.live.client import GOING_AWAY, Client, Left
+from vocalis_server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, merged, read_message
 from vocalis_server.live.recording import Recording
 from vocalis_server.live.strobe import Strobe
 from vocalis_server.problems import problem_of
 
 FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
-STATE_EVERY = 4  # blocks: 25 pictures a second
-WAVE_EVERY = 10  # samples: 3.5 kHz is enough for a line on a screen
-PACE_GAIN = 0.05  # share of the buffer's error that a block makes good
+STATE_EVERY = 8  # blocks: 12 pictures a second; a screen beside a played voice has no time for more
+CALM_BLOCKS = 25  # after so long without a movement the hand rests
+AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
+WAVE_EVERY = 14  # samples: 2.5 kHz is enough for a line on a screen
+PACE_GAIN = 0.035  # share of the buffer's error that a block makes good
+#: Numbers that are changed without reading the whole document again.
+QUICK = frozenset(path for path in MOVABLE if path.startswith("activation.") or "." not in path)
 LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin again from now
 
 
 class Player:
-    """Plays until the other end of ``link`` hangs up: ``prepare`` once, then ``turn`` whenever it is ``due_s``."""
+    """Plays until its client leaves: ``prepare`` once, then ``turn`` whenever it is ``due_s``."""
 
-    def __init__(self, link: Connection):
-        self._link = link
+    def __init__(self, client: Client):
+        self._client = client
+        self._hung_up = self._over = False
         self._wanted: Simulation = Simulation()
         self._document: dict[str, Any] = simulation_to_dict(self._wanted)
         self._paths: tuple[str, ...] = ()
@@ -47,77 +53,101 @@ class Player:
         self._first_recorded = 0
         self._lead_error_s = 0.0
         self._sequence = 0
-        self._levels: list[np.ndarray] = []
-        self._waves: list[np.ndarray] = []
+        self._calm = 0
+        self._last: deque[Block] = deque(maxlen=STATE_EVERY)
+        self._frame = SoundFrame()
         self.due_s = 0.0
 
     def prepare(self) -> bool:
-        """Hear what is wanted first and make that voice, which may compile; False when there will be none."""
+        """Hear what is wanted first and make that voice, which may compile; False when all is over."""
         return self._goes_on(self._first_words)
 
     def turn(self) -> bool:
-        """Make the block that is due; False when the voice is over. One that breaks down says why."""
+        """Make the block that is due; False when all is over. A voice that breaks down says why."""
         return self._goes_on(self._next)
 
+    def hang_up(self) -> None:
+        """The server stops: to be called from any thread."""
+        self._hung_up = True
+
     def close(self) -> None:
-        self._link.close()
+        self._client.close()
 
     def _goes_on(self, act: Callable[[], None]) -> bool:
-        try:
-            act()
-        except (EOFError, OSError):  # the client has left
-            return False
-        except VocalisError as error:
-            with suppress(OSError):
-                self._say({"type": "problem", "problem": problem_of(error), "over": True})
-            return False
-        return True
+        if not self._over:
+            try:
+                act()
+            except Left:
+                self._over = True
+            except VocalisError as error:
+                with suppress(Left):
+                    self._say({"type": "problem", "problem": problem_of(error), "over": True})
+                self._end()
+        if not self._over:
+            return True
+        self.due_s = time.monotonic() + BLOCK_S
+        return self._client.lingers()
+
+    def _end(self, *why) -> None:
+        self._client.dismiss(*why)
+        self._over = True
 
     def _first_words(self) -> None:
-        if self._link.poll(FIRST_WORD_S):
-            self._listen()
+        self._client.wait(FIRST_WORD_S)
+        self._listen()
         self._begin()
-        self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": AUDIO_RATE_HZ // 100,
+        self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": BLOCK_SAMPLES,
                    "full_scale_pa": FULL_SCALE_PA, "model_version": MODEL_VERSION})  # fmt: skip
         self.due_s = time.monotonic() - LEAD_BLOCKS * BLOCK_S
 
     def _next(self) -> None:
+        if self._hung_up:
+            return self._end(GOING_AWAY, "the server stops")
         self._listen()
-        self._block()
-        self.due_s += BLOCK_S - PACE_GAIN * self._lead_error_s
-        self._lead_error_s *= 1.0 - PACE_GAIN
+        for _ in range(AT_REST if self._calm > CALM_BLOCKS else 1):
+            self._block()
+            self.due_s += BLOCK_S - PACE_GAIN * self._lead_error_s
+            self._lead_error_s *= 1.0 - PACE_GAIN
         now = time.monotonic()
         if self.due_s < now - LARGEST_LAG_S:
             self.due_s = now
 
     def _begin(self) -> None:
-        self._voice = Voice(self._wanted)
+        self._voice = Voice(self._wanted, far=False)
         self._paths = ()
         self._strobe = Strobe()
+        self._last.clear()
 
     def _block(self) -> None:
         voice = self._voice
-        now = voice.request
-        target = approach(now, self._wanted, self._paths) if self._paths else now
-        if target.vowel != self._wanted.vowel:
-            target = replace(target, vowel=self._wanted.vowel)
-        if self._paths and not differences(target, self._wanted):
-            self._paths = ()
+        target = self._target(voice.request)
+        self._calm += 1
         show = (self._sequence + 1) % STATE_EVERY == 0
-        block = voice.advance(target, self._strobe.moment() if show else 0)
+        look_at = 0
+        if show:
+            look_at = self._strobe.moment([block.record[:, 0] for block in self._last], STATE_EVERY * BLOCK_S)
+        block = voice.advance(target, look_at)
         if self._recording is not None:
             self._recording.take(voice.blocks, target)
-        self._link.send_bytes(SOUND + audio_frame(self._sequence, block.audio_pa))
+        self._client.send_sound(self._frame.of(self._sequence, block.audio_pa))
         self._sequence += 1
-        self._follow(block, show)
+        self._last.append(block)
+        if show:
+            self._show()
 
-    def _follow(self, block: Block, show: bool) -> None:
-        self._strobe.follow(block.record[:, 0], measure=show)
-        self._levels = [*self._levels[-5:], block.lip_pressure_pa]
-        self._waves.append(block.record[::WAVE_EVERY, :2])
-        if not show:
-            return
-        waves, self._waves = np.concatenate(self._waves), []
+    def _target(self, now: Simulation) -> Simulation:
+        """Where the next block leads to."""
+        if self._paths:
+            target = approach(now, self._wanted, self._paths)
+            self._paths = tuple(p for p in self._paths if number_at(target, p) != number_at(self._wanted, p))
+        else:
+            target = now
+        return target if target.vowel == self._wanted.vowel else replace(target, vowel=self._wanted.vowel)
+
+    def _show(self) -> None:
+        """What the page draws: the folds as the strobe saw them, and the waves since the last time."""
+        waves = np.concatenate([block.record[::WAVE_EVERY, :2] for block in self._last])
+        level = level_db(np.concatenate([block.lip_pressure_pa for block in self._last]))
         voice, fold = self._voice, self._voice.fold
         w, _ = voice.seen
         self._say(
@@ -126,7 +156,7 @@ class Player:
                 "sequence": self._sequence,
                 "time_s": round(voice.blocks * BLOCK_S, 3),
                 "fo_hz": _number(self._strobe.fo_hz, 2),
-                "spl_lips_db": _number(level_db(np.concatenate(self._levels)), 2),
+                "spl_lips_db": _number(level, 2),
                 "strain": voice.posture.strain,
                 "glottal_half_angle_rad": voice.posture.glottal_half_angle_rad,
                 "length_m": fold.coefficients.length_m,
@@ -147,25 +177,27 @@ class Player:
         change: dict[str, Any] = {}
         record: bool | None = None
         stamp: int | None = None
-        while self._link.poll():
-            said = self._link.recv_bytes()
-            if said == HANG_UP:
-                raise EOFError
-            message = json.loads(said)
+        for said in self._client.messages():
+            try:
+                message = read_message(said)
+            except ParameterError as error:
+                self._say({"type": "problem", "problem": problem_of(error), "over": False})
+                continue
             if "buffer_ms" in message and "wanted_buffer_ms" in message:
                 self._lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
             record, stamp = message.get("record", record), message.get("stamp", stamp)
             change = merged(change, {key: value for key, value in message.items() if key not in CONTROLS})
         if change:
-            self._want(merged(self._document, change))
+            self._want(change)
         if record is not None:
             self._record(record)
         if stamp is not None:
             self._say({"type": "heard", "stamp": stamp, "sequence": self._sequence})
 
-    def _want(self, document: dict[str, Any]) -> None:
+    def _want(self, change: dict[str, Any]) -> None:
+        document = merged(self._document, change)
         try:
-            wanted = simulation_from_dict(document)
+            wanted = self._changed(change) or simulation_from_dict(document)
             if self._voice is not None and (wanted.run, wanted.model) != (self._voice.request.run,
                                                                           self._voice.request.model):  # fmt: skip
                 raise ParameterError("model", "cannot change while the voice goes on", "a new connection")
@@ -177,6 +209,17 @@ class Player:
         self._document, self._wanted = document, wanted
         if self._voice is not None:
             self._paths = differences(self._voice.request, wanted)
+            self._calm = 0
+
+    def _changed(self, change: dict[str, Any]) -> Simulation | None:
+        """The same as the whole document says, where a hand moves muscles or breath as it does sixty times a second."""
+        numbers: dict[str, Any] = {}
+        for key, value in change.items():
+            if key == "activation" and isinstance(value, dict):
+                numbers |= {f"activation.{muscle}": number for muscle, number in value.items()}
+            else:
+                numbers[key] = value
+        return with_numbers(self._wanted, numbers) if QUICK.issuperset(numbers) else None
 
     def _record(self, on: bool) -> None:
         if on:
@@ -189,7 +232,7 @@ class Player:
             self._recording = None
 
     def _say(self, document: dict[str, Any]) -> None:
-        self._link.send_bytes(TEXT + json_text(document).encode())
+        self._client.send(json_text(document))
 
 
 def _number(value: float, digits: int) -> float | None:

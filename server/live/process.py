@@ -5,18 +5,22 @@ many short stretches of a block, and a core that has just played one voice plays
 that was woken for it.
 """
 
+import gc
 import logging
 import os
 import signal
 import sys
 import threading
 import time
+from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from multiprocessing.connection import Connection
 
 WARM = "warm"
 EARLY_S = 0.002  # a voice that is due so soon is played along with the one before
 PRIORITY = -10
+FAREWELL_S = 0.3  # for the clients, when the server stops
 SWITCH_S = 0.0005  # a voice that is being prepared hands Python's lock back after this long
 
 
@@ -24,13 +28,14 @@ class Stage:
     """The voices that are played. ``enter`` may be called from any thread."""
 
     def __init__(self) -> None:
-        self._players: list = []
+        self._players: dict = {}
         self._there = threading.Condition()
 
-    def enter(self, player) -> None:
+    def enter(self, player, over: Callable[[], None]) -> None:
+        """Play it; ``over`` is called when it has ended."""
         with self._there:
-            self._players = [*self._players, player]
-            self._there.notify()
+            self._players = self._players | {player: over}
+            self._there.notify_all()
 
     def run(self) -> None:
         """Give every voice its turns, for ever."""
@@ -42,12 +47,20 @@ class Stage:
             for player in players:
                 if player.due_s <= time.monotonic() + EARLY_S and not _turn(player):
                     self._leave(player)
-            time.sleep(max(0.0, min((player.due_s for player in players), default=0.0) - time.monotonic()))
+            time.sleep(max(0.0, min(player.due_s for player in players) - time.monotonic()))
+
+    def end(self, within_s: float) -> None:
+        """Wait until nobody plays, for so long at most."""
+        with self._there:
+            self._there.wait_for(lambda: not self._players, within_s)
 
     def _leave(self, player) -> None:
         player.close()
         with self._there:
-            self._players = [other for other in self._players if other is not player]
+            over = self._players[player]
+            self._players = {other: told for other, told in self._players.items() if other is not player}
+            self._there.notify_all()
+        over()
 
 
 def _turn(player) -> bool:
@@ -59,29 +72,56 @@ def _turn(player) -> bool:
 
 
 def serve_voices(control: Connection) -> None:
-    """Take one connection per voice from ``control`` until it is closed. Says WARM once the kernels are there."""
+    """Play for the clients that come over ``control`` until it is closed. Says WARM once the kernels are there.
+
+    A client comes as (number, socket, greeting), (number,) sends it away; its number goes back when it has left.
+    """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's affair; it closes ``control``
     with suppress(OSError, AttributeError):  # where it is allowed: what sounds comes before what is looked at
         os.setpriority(os.PRIO_PROCESS, 0, PRIORITY)
     from vfcore.gesture.voice import Voice
     from vfcore.params import Activation, Simulation
+    from vocalis_server.live.client import Client
     from vocalis_server.live.player import Player
 
     sys.setswitchinterval(SWITCH_S)
     Voice(Simulation()).advance(Simulation(activation=Activation(ct=0.5), vowel="i"))
     stage = Stage()
     threading.Thread(target=stage.run, name="stage", daemon=True).start()
+    gc.collect()
+    gc.freeze()  # what is there stays; a collection looks at what voices leave behind, a moment's work
     control.send(WARM)
+    players: dict[int, Player] = {}
+    telling = threading.Lock()
+
+    def over(number: int) -> None:
+        players.pop(number, None)
+        with telling, suppress(OSError):
+            control.send(number)
+
     while True:
         try:
-            link = control.recv()
+            number, *client = control.recv()
         except (EOFError, OSError):
-            return
-        threading.Thread(target=_prepare, args=(Player(link), stage), name="voice", daemon=True).start()
+            break
+        if client:
+            players[number] = player = Player(Client(*client))
+            arguments = (player, stage, partial(over, number))
+            threading.Thread(target=_prepare, args=arguments, name="voice", daemon=True).start()
+        elif number in players:
+            players[number].hang_up()
+    for player in list(players.values()):
+        player.hang_up()
+    stage.end(FAREWELL_S)
 
 
-def _prepare(player, stage: Stage) -> None:
-    if player.prepare():
-        stage.enter(player)
-    else:
-        player.close()
+def _prepare(player, stage: Stage, over: Callable[[], None]) -> None:
+    goes_on = False
+    try:
+        goes_on = player.prepare()
+    finally:
+        if goes_on:
+            stage.enter(player, over)
+        else:
+            player.close()
+            over()

@@ -16,20 +16,19 @@ from typing import Any
 
 import numpy as np
 
-from vfcore.audio import FULL_SCALE_PA
+from vfcore.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 from vfcore.errors import ParameterError
 
 LONGEST_MESSAGE = 16_384
-#: First byte of a frame between the processes: what follows is text, or sound.
-TEXT, SOUND = b"T", b"S"
-#: Instead of a message: the client has left.
-HANG_UP = b""
+BLOCK_SAMPLES = AUDIO_RATE_HZ // 100
 CONTROLS = ("buffer_ms", "wanted_buffer_ms", "stamp", "record")
 LARGEST_STAMP = 2**53 - 1  # of the whole numbers that JavaScript keeps exactly
 
 
-def read_message(text: str) -> dict[str, Any]:
-    """One message of a client; ParameterError when it is not an object or too long."""
+def read_message(text: str | bytes) -> dict[str, Any]:
+    """One message of a client; ParameterError when it is not text, not an object or too long."""
+    if isinstance(text, bytes):
+        raise ParameterError("message", "is binary", "text: an object in JSON")
     if len(text) > LONGEST_MESSAGE:
         raise ParameterError("message", f"{len(text)} characters are too many", f"up to {LONGEST_MESSAGE}")
     try:
@@ -61,6 +60,15 @@ def merged(document: dict[str, Any], change: dict[str, Any]) -> dict[str, Any]:
     return result
 
 
-def audio_frame(sequence: int, audio_pa: np.ndarray) -> bytes:
-    """A binary frame: number and samples."""
-    return struct.pack("<I", sequence & 0xFFFFFFFF) + (audio_pa / FULL_SCALE_PA).astype("<f4").tobytes()
+class SoundFrame:
+    """A binary frame, number and samples; the same octets every time, for there is one every 10 ms."""
+
+    def __init__(self) -> None:
+        self._octets = bytearray(4 + 4 * BLOCK_SAMPLES)
+        self._samples = np.frombuffer(self._octets, "<f4", offset=4)
+
+    def of(self, sequence: int, audio_pa: np.ndarray) -> bytearray:
+        """Block number ``sequence``, good until the next call."""
+        struct.pack_into("<I", self._octets, 0, sequence & 0xFFFFFFFF)
+        np.divide(audio_pa, FULL_SCALE_PA, out=self._samples, casting="same_kind")
+        return self._octets

@@ -1,12 +1,13 @@
 """Which moment of a block to look at, so that a fast vibration is seen slowly: a strobe locked to f_o."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from vfcore.gesture.contours import WINDOW_S, pitch_hz
 from vfcore.gesture.glide import STRETCH_STEPS
-from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS
+from vfcore.gesture.voice import BLOCK_STEPS
 from vfcore.params import DEFAULT_STEP_S
 
 SLOW_HZ = 1.5  # apparent cycles a second
@@ -19,24 +20,20 @@ class Strobe:
     """Follows f_o in the last 60 ms of glottal area and picks steps at which the phase moves on at SLOW_HZ."""
 
     def __init__(self) -> None:
-        self._area = np.zeros(0)
         self.fo_hz = math.nan
-        self._since_peak_s = 0.0
         self._phase = 0.0
 
-    def moment(self) -> int:
-        """The step of the next block, a multiple of STRETCH_STEPS, at which to look."""
+    def moment(self, areas_m2: Sequence[np.ndarray], since_s: float) -> int:
+        """The step of the next block, a multiple of STRETCH_STEPS, at which to look.
+
+        ``areas_m2``: glottal area of the last blocks; ``since_s``: the time since the last look.
+        """
+        self._phase = (self._phase + SLOW_HZ * since_s) % 1.0
+        area = np.concatenate(areas_m2)[-_WINDOW:] if areas_m2 else np.zeros(0)
+        self.fo_hz = pitch_hz(area[::-THINNED], 1.0 / (THINNED * DEFAULT_STEP_S))
         if math.isnan(self.fo_hz):
             return BLOCK_STEPS
-        phases = (self._since_peak_s + _MOMENTS * DEFAULT_STEP_S) * self.fo_hz
+        cycle = area[-math.ceil(1.0 / (self.fo_hz * DEFAULT_STEP_S)) :]
+        since_peak_s = (len(cycle) - 1 - int(cycle.argmax())) * DEFAULT_STEP_S
+        phases = (since_peak_s + _MOMENTS * DEFAULT_STEP_S) * self.fo_hz
         return int(_MOMENTS[np.abs((phases - self._phase + 0.5) % 1.0 - 0.5).argmin()])
-
-    def follow(self, area_m2: np.ndarray, measure: bool) -> None:
-        """Take a block's area; ``measure`` whether to look for f_o anew."""
-        self._phase = (self._phase + SLOW_HZ * BLOCK_S) % 1.0
-        self._area = np.concatenate([self._area, area_m2])[-_WINDOW:]
-        if measure:
-            self.fo_hz = pitch_hz(self._area[::-THINNED], 1.0 / (THINNED * DEFAULT_STEP_S))
-        if not math.isnan(self.fo_hz):
-            cycle = self._area[-math.ceil(1.0 / (self.fo_hz * DEFAULT_STEP_S)) :]
-            self._since_peak_s = (len(cycle) - 1 - int(cycle.argmax())) * DEFAULT_STEP_S

@@ -12,6 +12,7 @@ import httpx
 import uvicorn
 
 from vocalis_server.app import create_app
+from vocalis_server.live.handover import HandsOver
 from vocalis_server.services import Services
 from vocalis_server.settings import Settings
 
@@ -40,7 +41,10 @@ def serving(**settings) -> Iterator[Live]:
 
 
 def _serving(app) -> Iterator[Live]:
-    config = uvicorn.Config(app, host="127.0.0.1", port=0, log_level="warning", timeout_graceful_shutdown=1)
+    config = uvicorn.Config(
+        app, host="127.0.0.1", port=0, ws=HandsOver, ws_per_message_deflate=False, log_level="warning",
+        timeout_graceful_shutdown=1,
+    )  # fmt: skip
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run)
     thread.start()

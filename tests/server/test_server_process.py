@@ -8,12 +8,15 @@ import ssl
 import subprocess
 import sys
 import time
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from threading import Thread
 
 import httpx
 import pytest
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import connect
 
+from tests.server.live_client import Heard
 from tests.server.live_server import LONG, events, run, wait_until
 
 
@@ -42,18 +45,23 @@ def address(lines: list[str]) -> str:
 
 @pytest.mark.alone
 @pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM])
-def test_it_says_once_where_it_is_and_stops_within_two_seconds_with_work_and_streams_open(stop, tmp_path):
-    with started(VOCALIS_JOBS_DIRECTORY=str(tmp_path)) as (process, lines):
+def test_it_says_once_where_it_is_and_stops_within_two_seconds_with_work_streams_and_a_voice(stop, tmp_path):
+    with started(VOCALIS_JOBS_DIRECTORY=str(tmp_path)) as (process, lines), ExitStack() as here:
         with httpx.Client(base_url=f"{address(lines)}/api/v1", timeout=60) as client:
             wait_until(lambda: client.get("/health").json()["ready"], 120)
             job = run(client, LONG)
             wait_until(lambda: client.get(f"/jobs/{job['id']}").json()["progress"] > 0)
             stream = events(client, "/events")
             next(stream)
+            playing = here.enter_context(connect(f"{address(lines).replace('http', 'ws')}/api/v1/live"))
+            heard = Heard(playing).listen(0.1)
             asked = time.monotonic()
             process.send_signal(stop)
             assert process.wait(10) in (0, -stop)
             assert time.monotonic() - asked < 2
+        with pytest.raises(ConnectionClosed) as closed:
+            heard.listen(2)
+        assert closed.value.rcvd.code == 1012
         assert [line.startswith("Vocalis: http://127.0.0.1:") for line in lines] == [True], lines
 
 
@@ -111,3 +119,9 @@ def test_with_a_certificate_it_speaks_https(tmp_path):
         trusted = ssl.create_default_context(cafile=str(certificate))
         answer = httpx.get(f"{address(lines)}/api/v1/health", verify=trusted)
         assert answer.json()["status"] == "ok"
+        live = f"{address(lines).replace('https', 'wss')}/api/v1/live"
+        with connect(
+            live, ssl=trusted, open_timeout=60
+        ) as playing:  # octets are carried: only the server can read them
+            heard = Heard(playing).listen(0.3)
+        assert heard.sequence == list(range(len(heard.sequence))) and len(heard.sequence) > 20

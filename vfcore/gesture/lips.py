@@ -5,55 +5,57 @@ one, and the old one rings to its end. Both are linear, so nothing clicks.
 """
 
 import numpy as np
-from scipy.fft import irfft, next_fast_len, rfft
 
 from vfcore.acoustics.impulse_response import response_at
 from vfcore.acoustics.tract import Tract
+from vfcore.kernels.response import respond
 
 #: Energy of the response that is left out: 80 dB below the voice.
 LEFT_OUT_ENERGY = 1e-8
 
 
 class _Filter:
-    """Overlap-add with one tract's response; the rows are lip pressure and pressure at 0.3 m."""
+    """One tract's responses: lip pressure and, where it is wanted, pressure at 0.3 m."""
 
-    def __init__(self, tract: Tract, time_step_s: float, block: int):
-        lip, _, far = response_at(tract, time_step_s)
+    def __init__(self, tract: Tract, time_step_s: float, block: int, far: bool):
+        lip, _, away = response_at(tract, time_step_s)
         energy = np.cumsum(lip * lip)
         taps = int(np.searchsorted(energy, (1.0 - LEFT_OUT_ENERGY) * energy[-1])) + 1
         self.tract, self._block = tract, block
-        self._length = next_fast_len(block + taps - 1, real=True)
-        self._spectra = rfft(np.stack([lip[:taps], far[:taps]]), self._length)
-        self._tail = np.zeros((2, self._length))
-        self.silent_blocks_left = -(-self._length // block)
+        self._backward = [np.ascontiguousarray(row[:taps][::-1]) for row in ((lip, away) if far else (lip,))]
+        self._memory = [np.zeros(taps - 1 + block) for _ in self._backward]
+        self._silence = np.zeros(block)
+        self.silent_blocks_left = -(-taps // block)
 
     def push(self, flow: np.ndarray | None) -> np.ndarray:
-        """The next block of sound (2, block), Pa; without flow the tract rings on."""
-        if flow is not None:
-            self._tail += irfft(rfft(flow, self._length) * self._spectra, self._length)
-        else:
+        """The next block of sound (rows, block), Pa; without flow the tract rings on."""
+        if flow is None:
             self.silent_blocks_left -= 1
-        out = self._tail[:, : self._block].copy()
-        self._tail[:, : -self._block] = self._tail[:, self._block :]
-        self._tail[:, -self._block :] = 0.0
+            flow = self._silence
+        out = np.empty((len(self._backward), self._block))
+        for backward, memory, row in zip(self._backward, self._memory, out, strict=True):
+            respond(flow, memory, backward, row)
         return out
 
 
 class Lips:
-    """Sound of a glottal flow that comes in blocks of ``block`` samples."""
+    """Sound of a glottal flow that comes in blocks of ``block`` samples; with ``far`` also the sound at 0.3 m."""
 
-    def __init__(self, tract: Tract, time_step_s: float, block: int):
-        self._time_step_s, self._block = time_step_s, block
-        self._now = _Filter(tract, time_step_s, block)
+    def __init__(self, tract: Tract, time_step_s: float, block: int, far: bool = True):
+        self._time_step_s, self._block, self._far = time_step_s, block, far
+        self._now = self._filter(tract)
         self._ringing: list[_Filter] = []
         self._fade_in = (np.arange(block) + 0.5) / block
 
+    def _filter(self, tract: Tract) -> _Filter:
+        return _Filter(tract, self._time_step_s, self._block, self._far)
+
     def push(self, flow_m3_s: np.ndarray, tract: Tract) -> np.ndarray:
-        """Lip pressure and pressure at 0.3 m, Pa, (2, block), for one block of flow."""
-        if tract == self._now.tract:
+        """Pressure at the lips and, with ``far``, at 0.3 m, Pa, (1 or 2, block), for one block of flow."""
+        if tract is self._now.tract or tract == self._now.tract:
             sound = self._now.push(flow_m3_s)
         else:
-            old, self._now = self._now, _Filter(tract, self._time_step_s, self._block)
+            old, self._now = self._now, self._filter(tract)
             self._ringing.append(old)
             sound = self._now.push(flow_m3_s * self._fade_in)
             sound += old.push(flow_m3_s * (1.0 - self._fade_in))

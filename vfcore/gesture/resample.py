@@ -29,8 +29,6 @@ class Resampler:
 
     def push(self, block: np.ndarray) -> np.ndarray:
         """The next audio samples for one block."""
-        self._samples[: -len(block)] = self._samples[len(block) :]
-        self._samples[-len(block) :] = block
         audio = np.empty(self._out)
-        resample(self._samples, self._branches, self._down, audio)
+        resample(block, self._samples, self._branches, self._down, audio)
         return audio

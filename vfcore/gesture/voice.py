@@ -24,23 +24,24 @@ BLOCK_S = BLOCK_STEPS * DEFAULT_STEP_S
 
 
 class Block(NamedTuple):
-    """10 ms of voice: ``record`` (350, 5) of layout.RECORD; lip and 0.3 m pressure (350,), Pa; lip pressure at 48 kHz
-    (480,), Pa, late by ``Voice.audio_delay_s``."""
+    """10 ms of voice: ``record`` (350, 7) of layout.RECORD; lip and 0.3 m pressure (350,), Pa, the latter None unless
+    asked for; lip pressure at 48 kHz (480,), Pa, late by ``Voice.audio_delay_s``."""
 
     record: np.ndarray
     lip_pressure_pa: np.ndarray
-    far_pressure_pa: np.ndarray
+    far_pressure_pa: np.ndarray | None
     audio_pa: np.ndarray
 
 
 class Voice:
     """One voice from its onset on. ``advance(target)`` moves to ``target`` within a block.
 
-    The grid, the shear form and the step are those of ``start``; targets that differ in them are refused. Raises
+    The grid, the shear form and the step are those of ``start``; targets that differ in them are refused. ``far``:
+    whether the sound at 0.3 m is wanted. Raises
     ParameterError, PostureError or DivergenceError.
     """
 
-    def __init__(self, start: Simulation):
+    def __init__(self, start: Simulation, far: bool = True):
         ready = prepare(start)
         if start.run.time_step_s is not None:
             raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
@@ -50,7 +51,8 @@ class Voice:
         self.request, self.posture = start, ready.posture
         self._check(ready.fold)
         self._gliding = GlidingFold(march)
-        self._lips = Lips(self._tract(start), DEFAULT_STEP_S, BLOCK_STEPS)
+        self._now_tract = tract_of(start)
+        self._lips = Lips(self._now_tract, DEFAULT_STEP_S, BLOCK_STEPS, far)
         self._resampler = Resampler(1.0 / DEFAULT_STEP_S, BLOCK_STEPS)
         self.blocks = 0
 
@@ -71,16 +73,17 @@ class Voice:
     def advance(self, target: Simulation, look_at: int = 0) -> Block:
         """The next block; the numbers of the request reach ``target`` at its end. ``look_at``: a step of the block."""
         fold, posture = self._fold_of(target)
+        tract = self._now_tract if target is self.request else tract_of(target)
         record = self._gliding.advance(fold, target.subglottal_pressure_pa, BLOCK_STEPS, look_at)
-        sound = self._lips.push(record[:, 1], self._tract(target))
+        sound = self._lips.push(record[:, 1], tract)
         audio = self._resampler.push(sound[0])
-        self.request, self.posture = target, posture
+        self.request, self.posture, self._now_tract = target, posture, tract
         self.blocks += 1
-        return Block(record, sound[0], sound[1], audio)
+        return Block(record, sound[0], sound[1] if len(sound) > 1 else None, audio)
 
     def _fold_of(self, target: Simulation) -> tuple[Fold, PostureSolution]:
         now = self.request
-        if _same_fold(target, now):
+        if target is now or _same_fold(target, now):
             return self._gliding.fold, self.posture
         if (target.run, target.model) != (now.run, now.model):
             raise ParameterError("model", "cannot change while the voice goes on", "a new voice")
@@ -97,10 +100,6 @@ class Voice:
             raise ParameterError(
                 "run.ny", f"{fold.nx}×{fold.ny} nodes need a shorter step than a gliding voice takes", "20×10 nodes"
             )
-
-    @staticmethod
-    def _tract(request: Simulation):
-        return tract_of(request)
 
 
 def _same_fold(a: Simulation, b: Simulation) -> bool:

@@ -7,12 +7,18 @@ from vfcore.kernels.jit import jit
 
 
 @jit
-def resample(samples, branches, down, out):
-    """Fill ``out`` (n·up/down,) for the last n of ``samples`` (reach − 1 + n,), the ones before them being memory.
+def resample(block, samples, branches, down, out):
+    """Fill ``out`` (n·up/down,) for the next ``block`` (n,).
 
-    ``branches`` (up, reach): row p holds h[p + i·up], largest i first. Any unit; ``out`` has that of ``samples``.
+    ``samples`` (reach − 1 + n,): the last samples, with the block before at its end; moved on here.
+    ``branches`` (up, reach): row p holds h[p + i·up], largest i first. Any unit; ``out`` has that of ``block``.
     """
+    n = block.size
     up, reach = branches.shape
+    for k in range(reach - 1):
+        samples[k] = samples[k + n]
+    for i in range(n):
+        samples[reach - 1 + i] = block[i]
     for m in range(out.size):
         newest, branch = m * down // up, m * down % up
         total = 0.0

@@ -32,10 +32,7 @@ def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBa
         raise ParameterError("activations", f"shape {activations.shape}", "(n, 5): ta, ct, lca, ia, pca")
     if not ((activations >= 0) & (activations <= 1)).all():
         raise ParameterError("activations", "a value is out of range or not finite", "0 to 1")
-    n = len(activations)
-    muscles, joints, scale = _packed(constants)
-    unknowns, outcomes, status = np.empty((n, 5)), np.empty((n, 4)), np.empty(n, dtype=np.int64)
-    solve_postures(activations, muscles, joints, scale, unknowns, outcomes, status)
+    unknowns, outcomes, status = _solved(activations, constants)
     strain, xi_02, residual, reached = outcomes.T
     converged = (status == OK) & (strain > -1)
     strain, xi_02 = np.where(converged, strain, np.nan), np.where(converged, xi_02, np.nan)
@@ -52,6 +49,14 @@ def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBa
     )
 
 
+def _solved(activations: np.ndarray, constants: PosturingConstants) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """What vfcore.kernels.posture answers: roots (n, 5), outcomes (n, 4), status (n,)."""
+    n = len(activations)
+    unknowns, outcomes, status = np.empty((n, 5)), np.empty((n, 4)), np.empty(n, dtype=np.int64)
+    solve_postures(activations, *_packed(constants), unknowns, outcomes, status)
+    return unknowns, outcomes, status
+
+
 @lru_cache(maxsize=64)
 def _packed(constants: PosturingConstants) -> tuple[np.ndarray, Joints, np.ndarray]:
     """What the kernel takes of a set: made once, for a voice that moves asks a hundred times a second."""
@@ -62,14 +67,23 @@ def _packed(constants: PosturingConstants) -> tuple[np.ndarray, Joints, np.ndarr
 def solve_posture(
     activation: Activation, constants: PosturingConstants, fold_length_m: float = 0.015
 ) -> PostureSolution:
-    """Posture for one activation; ``fold_length_m`` is the resting length of the vibrating fold (the paper's 15 mm).
+    """Posture for one activation, number by number: a voice that moves asks a hundred times a second.
+
+    ``fold_length_m`` is the resting length of the vibrating fold (the paper's 15 mm).
 
     Raises PostureError where no root is connected to rest, ParameterError for a fold length out of range.
     """
-    (found,) = solve_each_posture([activation], constants, fold_length_m)
-    if isinstance(found, PostureError):
-        raise found
-    return found
+    check_number("fold_length_m", fold_length_m, 1e-3, 0.1, "m")
+    row = np.array([[getattr(activation, key) for key in MUSCLE_ORDER]])
+    unknowns, outcomes, status = _solved(row, constants)
+    (strain, xi_02, residual, reached), unknowns = outcomes[0].tolist(), unknowns[0].tolist()
+    if status[0] != OK or not strain > -1:
+        raise PostureError(_no_posture(activation, constants, 0.0 if status[0] == NO_REST else reached))
+    raw = float(np.arctan(xi_02 / (constants.L_0_posture_m * (1 + strain))))
+    return PostureSolution(
+        strain, max(raw, 0.0), raw, fold_length_m * (1 + strain), max(xi_02, 0.0), *unknowns,
+        residual=residual, converged=True,
+    )  # fmt: skip
 
 
 def solve_each_posture(
