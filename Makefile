@@ -41,7 +41,7 @@ lint: $(VENV)/.tested
 	$(BIN)/ruff format --check .
 
 test-all: $(VENV)/.tested chromium
-	$(BIN)/python -m pytest -q -n 2 -m "not slow and not browser and not alone"
+	$(BIN)/python -m pytest -q -n 3 -m "not slow and not browser and not alone"
 	$(BIN)/python -m pytest -q -n 2 -m "browser and not alone and not slow"
 	$(BIN)/python -m pytest -q -m "alone and not slow"
 
