@@ -60,8 +60,10 @@ export function stopPointing() {
   _pointing.value = false;
 }
 
+/** Where the motion stops, words and numbers are those of the picture. */
 export function setMoving(on) {
   _moving.value = on;
+  if (!on) _readout.value = _phase.value;
 }
 
 export function setSlowdown(value) {

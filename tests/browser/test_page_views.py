@@ -195,3 +195,21 @@ def test_the_strobe_shows_as_many_cycles_a_second_at_any_pitch(visit):
         }"""
     )
     assert moved[0] == pytest.approx(1, abs=0.2) and moved[1] <= 40, "flashes, not a film"
+
+
+def test_where_the_motion_is_stopped_the_numbers_are_those_of_the_picture(visit):
+    here = visit()
+    apart = here.page.evaluate(
+        """async () => {
+          const { phase, readout, setMoving } = await import("/state/motion.js");
+          const apart = [];
+          for (let k = 0; k < 8; k++) {
+            setMoving(true);
+            await new Promise((done) => setTimeout(done, 170 + 13 * k));
+            setMoving(false);
+            apart.push(Math.abs(readout.peek() - phase.peek()));
+          }
+          return apart;
+        }"""
+    )
+    assert apart == [0] * 8
