@@ -29,7 +29,7 @@ PRESETS = (
     ),
     Preset(
         "pressed", "Pressed",
-        "Strong TA bulges the folds against each other: less flow, more time closed.",
+        "Strong TA bulges the folds against each other; with the paper's constants: less flow, more time closed.",
         _muscles(1.0, 1.0, 0.0, 0.3, 0.6),
     ),
     Preset(

@@ -4,6 +4,7 @@ import secrets
 
 import pytest
 
+from tests.server.live_client import Heard, voice
 from tests.server.live_server import Live, serving
 
 
@@ -18,3 +19,12 @@ def client(live):
     """A client of its own: no other test sees its jobs."""
     with live.client(Authorization=f"Bearer {secrets.token_hex(8)}") as made:
         yield made
+
+
+@pytest.fixture(scope="module")
+def stage():
+    """A server for two voices whose process of voices has started."""
+    with serving(live_voices=2) as server:
+        with voice(server) as first:
+            Heard(first).listen(0.1)
+        yield server

@@ -4,18 +4,9 @@ import numpy as np
 import pytest
 
 from tests.server.live_client import Heard, voice
-from tests.server.live_server import serving
 from vfcore.audio import FULL_SCALE_PA
 from vfcore.gesture.gesture import gesture_from_dict
 from vfcore.gesture.render import render
-
-
-@pytest.fixture(scope="module")
-def stage():
-    with serving(live_voices=2) as server:
-        with voice(server) as warm:  # the process of the voices starts with the first one
-            Heard(warm).listen(0.1)
-        yield server
 
 
 def test_blocks_come_in_order_in_real_time_and_sound(stage):

@@ -14,14 +14,6 @@ from tests.server.live_server import serving, wait_until
 from vocalis_server.live import handover
 
 
-@pytest.fixture(scope="module")
-def stage():
-    with serving(live_voices=2) as server:
-        with voice(server) as warm:  # the process of the voices starts with the first one
-            Heard(warm).listen(0.1)
-        yield server
-
-
 def test_one_voice_too_many_is_refused_politely_and_a_vanished_client_makes_room(stage):
     with voice(stage), voice(stage) as second:
         with voice(stage) as third:

@@ -67,23 +67,14 @@ def _packed(constants: PosturingConstants) -> tuple[np.ndarray, Joints, np.ndarr
 def solve_posture(
     activation: Activation, constants: PosturingConstants, fold_length_m: float = 0.015
 ) -> PostureSolution:
-    """Posture for one activation, number by number: a voice that moves asks a hundred times a second.
-
-    ``fold_length_m`` is the resting length of the vibrating fold (the paper's 15 mm).
+    """Posture for one activation; ``fold_length_m`` is the resting length of the vibrating fold (the paper's 15 mm).
 
     Raises PostureError where no root is connected to rest, ParameterError for a fold length out of range.
     """
-    check_number("fold_length_m", fold_length_m, 1e-3, 0.1, "m")
-    row = np.array([[getattr(activation, key) for key in MUSCLE_ORDER]])
-    unknowns, outcomes, status = _solved(row, constants)
-    (strain, xi_02, residual, reached), unknowns = outcomes[0].tolist(), unknowns[0].tolist()
-    if status[0] != OK or not strain > -1:
-        raise PostureError(_no_posture(activation, constants, 0.0 if status[0] == NO_REST else reached))
-    raw = float(np.arctan(xi_02 / (constants.L_0_posture_m * (1 + strain))))
-    return PostureSolution(
-        strain, max(raw, 0.0), raw, fold_length_m * (1 + strain), max(xi_02, 0.0), *unknowns,
-        residual=residual, converged=True,
-    )  # fmt: skip
+    (found,) = solve_each_posture([activation], constants, fold_length_m)
+    if isinstance(found, PostureError):
+        raise found
+    return found
 
 
 def solve_each_posture(
@@ -91,28 +82,27 @@ def solve_each_posture(
 ) -> list[PostureSolution | PostureError]:
     """``solve_posture`` of many at once: for each its posture, or the error that says why there is none."""
     check_number("fold_length_m", fold_length_m, 1e-3, 0.1, "m")
-    rows = [[getattr(activation, key) for key in MUSCLE_ORDER] for activation in activations]
-    batch = solve_posture_batch(rows, constants)
+    rows = np.array([[getattr(activation, key) for key in MUSCLE_ORDER] for activation in activations], np.float64)
+    solved = (array.tolist() for array in _solved(rows.reshape(-1, 5), constants))
     return [
-        _solution(batch, row, fold_length_m)
-        if batch.converged[row]
-        else PostureError(_no_posture(activation, constants, batch.reached[row]))
-        for row, activation in enumerate(activations)
+        _solution(activation, constants, fold_length_m, *found)
+        for activation, *found in zip(activations, *solved, strict=True)
     ]
 
 
-def _solution(batch: PostureBatch, row: int, fold_length_m: float) -> PostureSolution:
-    strain, angle, raw, half_gap = (float(column[row]) for column in batch[:4])
+def _solution(
+    activation: Activation, constants: PosturingConstants, fold_length_m: float, unknowns: list[float],
+    outcome: list[float], status: int,
+) -> PostureSolution | PostureError:  # fmt: skip
+    """Number by number: for one posture, and a voice that moves asks for a hundred a second, arrays take longer."""
+    strain, xi_02, residual, reached = outcome
+    if status != OK or not strain > -1:
+        return PostureError(_no_posture(activation, constants, 0.0 if status == NO_REST else reached))
+    raw = float(np.arctan(xi_02 / (constants.L_0_posture_m * (1 + strain))))
     return PostureSolution(
-        strain,
-        angle,
-        raw,
-        fold_length_m * (1 + strain),
-        half_gap,
-        *batch.unknowns[row].tolist(),
-        residual=float(batch.residual[row]),
-        converged=True,
-    )
+        strain, max(raw, 0.0), raw, fold_length_m * (1 + strain), max(xi_02, 0.0), *unknowns,
+        residual=residual, converged=True,
+    )  # fmt: skip
 
 
 def _no_posture(activation: Activation, constants: PosturingConstants, reached: float) -> str:
