@@ -127,7 +127,8 @@ PACES = {"movement by movement": 80, "in one drag": 20}
 PILED_UP_MS = 3000  # 200 voices in line would take longer; a machine busy with other work does not
 
 
-@pytest.mark.parametrize("pace", [pytest.param("movement by movement", marks=pytest.mark.slow), "in one drag"])
+@pytest.mark.slow
+@pytest.mark.parametrize("pace", PACES)
 def test_how_long_a_movement_takes(visit, capsys, pace):
     """Prints what the page measures of itself; the bounds only say that nothing piles up on a busy machine."""
     shift = 0.5 * list(PACES).index(pace)  # of a movement: nor from the other pace's voices
