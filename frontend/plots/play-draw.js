@@ -1,6 +1,8 @@
 /** Paints what a played voice does now: scrolling waves, the trace of pitch and level, spectrum, and the CT–TA pad. */
 import { fewTicks, numberText, tickText } from "./axis.js";
 
+const LINE_REM = 0.8; // a line of small print
+
 /** A frame for one line: {left, right, top, bottom, x(share), y(value)} with its scale written at the left. */
 function frame(context, box, { top, bottom, low, high, title, unit }, colours, font, rem) {
   const left = 3.1 * rem;
@@ -10,12 +12,13 @@ function frame(context, box, { top, bottom, low, high, title, unit }, colours, f
   context.textBaseline = "middle";
   context.textAlign = "right";
   const marks = fewTicks(low, high);
-  for (const mark of marks) {
+  const written = Math.ceil((LINE_REM * rem) / Math.abs(y(marks[1]) - y(marks[0]))); // every how manieth has its number
+  marks.forEach((mark, k) => {
     context.fillStyle = colours.grid;
     context.fillRect(left, Math.round(y(mark)), right - left, 0.75);
     context.fillStyle = colours.inkSoft;
-    context.fillText(tickText(mark, marks[1] - marks[0]), left - 5, y(mark));
-  }
+    if (k % written === 0) context.fillText(tickText(mark, marks[1] - marks[0]), left - 5, y(mark));
+  });
   context.textAlign = "left";
   context.fillStyle = colours.ink;
   context.fillText(`${title}${unit ? ` (${unit})` : ""}`, left, top - 0.6 * rem);
