@@ -8,11 +8,12 @@ VENV := .venv
 BIN := $(VENV)/bin
 # Pip's own remarks about the machine it runs on are not about Vocalis; errors still show.
 PIP := $(BIN)/python -m pip install --quiet --quiet --disable-pip-version-check
-# Checked code must not come from a cache of unchecked code.
+# Where tests keep compiled kernels; checked code must not come from a cache of unchecked code.
+TEST_DATA := $(CURDIR)/.pytest_cache/vocalis
 CHECKED_DATA := $(CURDIR)/.pytest_cache/vocalis-boundscheck
 
 .DEFAULT_GOAL := help
-.PHONY: help run modal test lint test-all test-interpreted test-boundscheck bench clean
+.PHONY: help run modal test lint compiled test-all test-kernels test-interpreted test-boundscheck bench clean
 
 help:
 	@echo "make run     the modal voice as a table and a sound file, then the dashboard on http://$(HOST):$(PORT)"
@@ -34,18 +35,25 @@ modal: $(VENV)/.installed
 bench: $(VENV)/.installed
 	@$(BIN)/vocalis bench $(if $(CHECK),--check)
 
-test: lint test-all test-interpreted test-boundscheck
+test: lint test-all test-kernels
 
 lint: $(VENV)/.tested
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 
-test-all: $(VENV)/.tested chromium
+# Once, before several test processes would each compile the same.
+compiled: $(VENV)/.tested
+	@VOCALIS_DATA="$(TEST_DATA)" $(BIN)/python -m vocalis_server --warm
+
+test-all: $(VENV)/.tested chromium compiled
 	$(BIN)/python -m pytest -q -n 3 -m "not slow and not browser and not alone"
 	$(BIN)/python -m pytest -q -n 2 -m "browser and not alone and not slow"
 	$(BIN)/python -m pytest -q -m "alone and not slow"
 
-# The kernels as plain Python, and with every index checked.
+# The kernels as plain Python, and with every index checked: one core each.
+test-kernels:
+	@$(MAKE) --no-print-directory -j 2 --output-sync=target test-interpreted test-boundscheck
+
 test-interpreted: $(VENV)/.tested
 	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -q -m kernel tests/physics
 

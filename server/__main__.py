@@ -3,8 +3,8 @@
 import argparse
 import sys
 
-from vocalis_server.kernels import Kernels
 from vocalis_server.serve import read_settings, serve
+from vocalis_server.warm import compile_everything
 
 
 def main() -> None:
@@ -19,9 +19,8 @@ def main() -> None:
     parser.add_argument("--warm", action="store_true", help="compile the kernels into the cache and exit")
     options = parser.parse_args()
     if options.warm:
-        kernels = Kernels()
-        kernels.compile()
-        sys.exit(None if kernels.ready else kernels.message)
+        compile_everything()
+        sys.exit()
     serve(options.host, options.port, options.token, options.tls_cert, options.tls_key)
 
 

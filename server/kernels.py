@@ -4,15 +4,14 @@ import asyncio
 import logging
 import threading
 import time
+from multiprocessing.process import BaseProcess
 
-from vfcore.params import Model, Run, Simulation
 from vfcore.simulate import prepare, simulate
 from vfcore.version import MODEL_VERSION
 from vocalis_server.problems import NotReady
+from vocalis_server.warm import COUPLED, SHORTEST, compile_behind
 
 log = logging.getLogger("vocalis")
-_SHORTEST = Simulation(run=Run(duration_s=0.02))
-_COUPLED = Simulation(model=Model(coupling="two_way"), run=Run(duration_s=0.02))
 WAIT_S = 30.0  # for a first compilation on a slow machine
 LOOK_EVERY_S = 0.02
 
@@ -22,7 +21,8 @@ class Kernels:
 
     def __init__(self) -> None:
         self._postures, self._runs = threading.Event(), threading.Event()
-        self._failed = False
+        self._failed = self._closed = False
+        self._behind: BaseProcess | None = None
         self.message = "the kernels are not compiled yet"
 
     @property
@@ -31,18 +31,24 @@ class Kernels:
         return self._runs.is_set()
 
     def start(self) -> None:
-        """Compile in a thread of its own."""
-        threading.Thread(target=self.compile, name="compile", daemon=True).start()
+        """Compile in a thread of its own, and what can wait in a process."""
+        threading.Thread(target=self._compile_all, name="compile", daemon=True).start()
+
+    def close(self) -> None:
+        """End the process that compiles what can wait."""
+        self._closed = True
+        if self._behind is not None:
+            self._behind.kill()
 
     def compile(self) -> None:
         """Compile, or load from the cache, what a default request needs."""
         began = time.perf_counter()
         try:
             self.message = "compiling the posture equations (1 of 2)"
-            prepare(_SHORTEST)
+            prepare(SHORTEST)
             self._postures.set()
             self.message = "compiling the step of the fold (2 of 2)"
-            simulate(_SHORTEST)
+            simulate(SHORTEST)
         except Exception as error:
             self._failed = True
             self.message = f"the kernels could not be compiled: {error}"
@@ -50,7 +56,16 @@ class Kernels:
             return
         self.message = f"ready: the kernels of model {MODEL_VERSION} took {time.perf_counter() - began:.1f} s"
         self._runs.set()
-        simulate(_COUPLED)  # nobody waits for it: a first run with two-way coupling finds it compiled
+
+    def _compile_all(self) -> None:
+        self.compile()
+        if self._failed or self._closed:
+            return
+        self._behind = compile_behind()
+        if self._behind is not None:
+            self._behind.join()
+        if not self._closed:
+            simulate(COUPLED)  # loads it: nobody waits for that, but a first run with two-way coupling would
 
     async def for_postures(self) -> None:
         """Return when postures can be solved; NotReady when that takes too long or has failed."""

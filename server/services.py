@@ -94,6 +94,7 @@ class Services:
     def close(self) -> None:
         """End streams, runs and worker processes."""
         self.events.close()
+        self.kernels.close()
         self.retention.close()
         self.desk.engine.close()
         self.voices.close()

@@ -17,7 +17,6 @@ from tests.browser.visit import Visit
 sync_api = pytest.importorskip("playwright.sync_api")
 
 ROOT = Path(__file__).resolve().parents[2]
-DATA = ROOT / ".pytest_cache" / "vocalis-browser"  # kernels compiled once stay there
 READY_WITHIN_S = 180
 CHROMIUM = "/usr/bin/chromium"
 ARGUMENTS = [
@@ -46,7 +45,7 @@ def server_process(**environment: str) -> Iterator[str]:
     process = subprocess.Popen(
         [sys.executable, "-m", "vocalis_server", "--port", "0"],
         cwd=ROOT,
-        env=os.environ | {"VOCALIS_DATA": str(DATA), "PYTHONUNBUFFERED": "1"} | environment,
+        env=os.environ | {"PYTHONUNBUFFERED": "1"} | environment,
         stdout=subprocess.PIPE,
         text=True,
     )

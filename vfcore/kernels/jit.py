@@ -34,6 +34,12 @@ def _source_hash() -> str:
 if "NUMBA_CACHE_DIR" not in os.environ:  # not exported: a child process may have another data directory
     numba.config.CACHE_DIR = str(data_directory() / "kernels" / _source_hash())
 
+
+def kernel_directory() -> Path:
+    """Where the compiled kernels of this very source are kept."""
+    return Path(numba.config.CACHE_DIR)
+
+
 FASTMATH = {"contract", "reassoc", "arcp", "nsz"}
 
 

@@ -1,0 +1,48 @@
+"""Every kernel of the usual grid, compiled into the cache once: by ``--warm``, and behind a server that has started.
+
+A server compiles what the page needs first by itself (kernels.py). What only maps, played voices and coupled runs need
+takes as long again; a process of low priority does it, so that neither answers wait for it nor the first map of a user.
+"""
+
+import os
+import signal
+from contextlib import suppress
+from multiprocessing import get_context
+from multiprocessing.process import BaseProcess
+
+from vfcore.batch import PRECISIONS, run_points
+from vfcore.gesture.voice import Voice
+from vfcore.kernels.jit import kernel_directory
+from vfcore.params import Model, Run, Simulation
+from vfcore.simulate import simulate
+
+SHORTEST = Simulation(run=Run(duration_s=0.02))
+COUPLED = Simulation(model=Model(coupling="two_way"), run=Run(duration_s=0.02))
+_COMPLETE = "complete"  # the file that says so, beside the kernels
+_NICENESS = 10
+
+
+def compile_everything() -> None:
+    """Compile, or load: runs alone and coupled, many side by side in both precisions, played voices."""
+    for request in (SHORTEST, COUPLED):
+        simulate(request)
+    for precision in PRECISIONS:
+        list(run_points([SHORTEST], precision=precision))
+    Voice(Simulation()).advance(Simulation(vowel="i"))
+    with suppress(OSError):  # a folder that others own
+        (kernel_directory() / _COMPLETE).touch()
+
+
+def compile_behind() -> BaseProcess | None:
+    """The process that compiles everything; None where all is there."""
+    if (kernel_directory() / _COMPLETE).exists():
+        return None
+    process = get_context("spawn").Process(target=_compile_niced, name="vocalis-compile", daemon=True)
+    process.start()
+    return process
+
+
+def _compile_niced() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's affair; it ends us
+    os.nice(_NICENESS)
+    compile_everything()
