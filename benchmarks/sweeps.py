@@ -24,6 +24,7 @@ from vfcore.simulate import prepare
 from vfcore.sweep import run_sweep, sweep_from_dict
 from vocalis_bench.reference import plain_run
 from vocalis_bench.rounds import interleaved
+from vocalis_server.warm import compile_everything
 
 MB = 2**20
 LOOK_EVERY_S = 0.25
@@ -40,7 +41,8 @@ def grid(n_ct: int, n_ta: int) -> dict:
 
 @contextmanager
 def served(folder: str, workers: int) -> Iterator[tuple[httpx.Client, subprocess.Popen]]:
-    """A server process, ready."""
+    """A server process, ready, with nothing left to compile."""
+    compile_everything()
     server = subprocess.Popen(
         [sys.executable, "-m", "vocalis_server", "--port", "0"], stdout=subprocess.PIPE, text=True,
         env=os.environ | {"VOCALIS_JOBS_DIRECTORY": folder, "VOCALIS_WORKERS": str(workers)},
@@ -104,7 +106,7 @@ def measure_map() -> dict:
     """The map of two muscles."""
     body, cores = grid(21, 21), os.cpu_count() or 1
     sweep = sweep_from_dict(body)
-    run_sweep(sweep_from_dict(grid(2, 2)), workers=1)  # compiles
+    compile_everything()
     began = time.perf_counter()
     run_sweep(sweep, workers=1)
     alone = time.perf_counter() - began

@@ -14,7 +14,9 @@ import xarray
 import vfcore
 from vfcore.batch import run_points
 from vfcore.errors import Cancelled, ParameterError
+from vfcore.kernels.layout import LANES
 from vfcore.sweep import SweepTable, run_sweep, sweep_from_dict
+from vfcore.sweep.cost import Portions
 from vfcore.sweep.dataset import dataset
 from vfcore.sweep.files import write_csv, write_netcdf
 from vfcore.sweep.journal import Journal
@@ -55,6 +57,16 @@ def test_every_null_of_the_document_is_explained(table):
     for measure in document["measures"].values():
         explained = failed | {point for entry in measure["reasons"] for point in entry["points"]}
         assert {k for k, value in enumerate(measure["values"]) if value is None} == explained
+
+
+@pytest.mark.parametrize("precision", ["float64", "float32"])
+def test_tasks_are_whole_batches_of_the_step(precision):
+    values = [k / 40 for k in range(41)]
+    axes = [{"parameter": f"activation.{muscle}", "values": values} for muscle in ("ct", "ta")]
+    portions = Portions(sweep_from_dict({"axes": axes, "precision": precision}), workers=2)
+    for seconds in (0.03, 0.015, 0.01):
+        portions.learn(1, seconds)
+        assert portions.next_size() % LANES[precision] == 0
 
 
 def test_what_is_not_computed_yet_is_pending():

@@ -3,13 +3,13 @@
 import threading
 
 from vfcore.errors import ParameterError
+from vfcore.kernels.layout import LANES
 from vfcore.params import DEFAULT_STEP_S
 from vfcore.sweep.plan import Sweep
 
 TASK_S = (0.2, 1.0)  # a task is worth its round trip, and its loss or a stop costs little
 TASKS_PER_WORKER = 8  # at least so many, so that all workers end together
 MOST_PER_TASK = 512
-LANES = 8  # points a batch kernel takes at a time
 _GUESS_S = 1e-8  # per node and step, before anything was measured: first tasks are rather short than long
 _OVERHEAD_S = 2e-3  # per point: posture, coefficients, measures
 
@@ -53,6 +53,7 @@ class Portions:
 
     def __init__(self, sweep: Sweep, workers: int):
         self._points, self.workers = len(sweep), workers
+        self._lanes = LANES[sweep.precision]
         self._point_s = _OVERHEAD_S + _GUESS_S * point_node_steps(sweep)
         self._lock = threading.Lock()
 
@@ -62,7 +63,7 @@ class Portions:
             total_s = self._point_s * self._points
             wanted_s = min(max(total_s / (max(1, self.workers) * TASKS_PER_WORKER), TASK_S[0]), TASK_S[1])
             size = max(1, min(round(wanted_s / self._point_s), MOST_PER_TASK))
-            return size if size < LANES else size // LANES * LANES
+            return size if size < self._lanes else size // self._lanes * self._lanes
 
     def learn(self, points: int, seconds: float) -> None:
         """A task of so many points took so long. The first one may have compiled kernels: later ones correct it."""
