@@ -27,8 +27,8 @@ class Analysis:
         return self._radiate()
 
     def window(self, wave: np.ndarray) -> np.ndarray:
-        """The measured half of ``wave``, float64."""
-        return wave[self.signals.window_start :].astype(np.float64)
+        """The measured half of ``wave``, float64; of a float64 wave a view, to be read only."""
+        return wave[self.signals.window_start :].astype(np.float64, copy=False)
 
     @cached_property
     def phonation(self) -> Phonation:

@@ -54,8 +54,8 @@ class Cycles:
         return np.repeat(values, self.lengths)
 
     def span(self, wave: np.ndarray) -> np.ndarray:
-        """The samples of ``wave`` (full length) within these cycles, float64."""
-        return wave[self.bounds[0] : self.bounds[-1]].astype(np.float64)
+        """The samples of ``wave`` (full length) within these cycles, float64; of a float64 wave a view."""
+        return wave[self.bounds[0] : self.bounds[-1]].astype(np.float64, copy=False)
 
     @property
     def offsets(self) -> np.ndarray:
