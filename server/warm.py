@@ -23,12 +23,12 @@ _NICENESS = 10
 
 
 def compile_everything() -> None:
-    """Compile, or load: runs alone and coupled, many side by side in both precisions, played voices."""
+    """Compile, or load: runs alone and coupled, played voices, many side by side in both precisions."""
     for request in (SHORTEST, COUPLED):
         simulate(request)
+    Voice(Simulation()).advance(Simulation(vowel="i"))
     for precision in PRECISIONS:
         list(run_points([SHORTEST], precision=precision))
-    Voice(Simulation()).advance(Simulation(vowel="i"))
     with suppress(OSError):  # a folder that others own
         (kernel_directory() / _COMPLETE).touch()
 
