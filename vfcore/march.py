@@ -47,6 +47,7 @@ class March:
         self.air = airways.new_buffer(pressure_pa) if airways else None
         self._advance = step_kernel(fold.nx, fold.ny, fold.rotation)
         self._per_chunk = samples_per_chunk(fold, time_step_s)
+        self._steady_pa = np.empty(0)
         kept = math.ceil(READABLE_S / (self._per_chunk * self.record_every * time_step_s))
         self._checkpoints: deque[tuple[int, np.ndarray, np.ndarray | None]] = deque(maxlen=kept)
 
@@ -62,10 +63,12 @@ class March:
             assemble.membrane(self.buffer, self.fold, "phi")[:-1] = np.diff(shape.w_m, axis=0) / self.fold.dy
 
     def pressure_at(self, steps: np.ndarray) -> np.ndarray:
-        """Lung pressure at the given step numbers, Pa."""
-        if self.rise_s <= 0.0:
-            return np.full(len(steps), self.pressure_pa)
-        return self.pressure_pa * np.minimum(steps * self.time_step_s / self.rise_s, 1.0)
+        """Lung pressure at the given step numbers, Pa; to be read only."""
+        if self.rise_s > 0.0:
+            return self.pressure_pa * np.minimum(steps * self.time_step_s / self.rise_s, 1.0)
+        if len(steps) > len(self._steady_pa):
+            self._steady_pa = np.full(len(steps), float(self.pressure_pa))
+        return self._steady_pa[: len(steps)]
 
     def run(
         self,
