@@ -29,7 +29,7 @@ range; otherwise by how much it is missed. Efforts are lung pressures of soft, n
 - `vocalis norms` — the human variant with two-way coupling beside the paper's variant, some ten seconds
 - `vocalis norms --variant paper --coupling two_way` — one variant, one coupling
 - `vocalis norms --html norms.html --json norms.json` — the table with sources, every number
-- `vocalis norms --study` — the designed study behind the constants of the human variant, a quarter of an hour
+- `vocalis norms --study` — the search that finds the constants of the human variant, half an hour on two cores
 """
 _STYLES = {"pass": "green", "deviation": "yellow", "no number": "red"}
 #: Columns when no variant is asked for.

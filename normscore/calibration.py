@@ -1,228 +1,184 @@
-"""The designed study behind the variant ``human``: constants that meet published norms and keep the paper's trends.
+"""The study that finds the constants of ``human``: a search from a seed, and a rule that says which set is adopted.
 
-A Latin hypercube over the constants that may change, then others in ever smaller boxes around the best candidate so
-far; all with two-way coupling. A norm fixes no muscles: a candidate is judged by the norms in several postures and
-stands with the best of them. Where it meets enough norms there, the paper's claims are judged as well, on coarse maps
-and runs of half a second. Run it with `vocalis norms --study`. Ranges are those in which the constants have been
-measured or used; see vfcore.variants.
+The search starts from a Latin hypercube over constants and posture and evolves it by how far each set is from what is
+wanted (vocalis_norms.shortfall). Its best sets are then judged in full: every norm, and every claim of the paper on
+full maps with runs of 1 s, beside the paper's constants with either coupling. Adopted is the first by ``rank``:
+
+1. the wanted norms met, twelve of fifteen;
+2. the fewest claims on shapes and trends that come out worse than with the paper's constants, two-way coupled too;
+3. the most that come out no worse than with the paper's constants and one-way coupling;
+4. the most norms; of equals the smallest sum of what the norms are missed by.
+
+M2 and M3 are the paper's own numbers, which a voice of another size need not have; they are judged, and count in
+nothing. Run it with `vocalis norms --study`.
 """
 
+import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
 from functools import partial
-from math import log, sqrt
+from math import log
 from typing import Any, NamedTuple
 
-from scipy.stats import qmc, spearmanr
+import numpy as np
+from scipy.stats import spearmanr
 
-from vfcore.constants import FoldConstants
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict
-from vocalis_norms.efforts import requests
-from vocalis_norms.norms import FIFTEEN, NORMS
-from vocalis_norms.score import answer, judged
+from vocalis_norms.evolution import evolve
+from vocalis_norms.factors import CONSTANTS, FACTORS, Values, activation_of, base_of, constants_of, sample, values_at
+from vocalis_norms.norms import FIFTEEN
+from vocalis_norms.score import score_base
+from vocalis_norms.shortfall import AIMS, RANK, TRENDS, WANTED, Tried, distances, shortfall
 from vocalis_paper.bands import FAIL, PASS
 from vocalis_paper.run import gather, warm_up
 from vocalis_paper.run_document import provenance
 from vocalis_paper.run_score import cases_for, judge
-from vocalis_paper.study import PHYSICS, coarse
+from vocalis_paper.study import PHYSICS
 
-_PAPER = FoldConstants()
+SEED = 20261126
+#: Sets in the population, generations after the first, and how many of the best are judged in full.
+SIZE, GENERATIONS, FINALISTS = 40, 32, 12
 Progress = Callable[[int, int], None]
-Values = dict[str, float]
+Verdicts = Mapping[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class Factor:
-    """One factor of the study, varied on a logarithmic scale between ``low`` and ``high``."""
+class Reference(NamedTuple):
+    """The verdicts of the paper's constants with either coupling, by claim."""
 
-    name: str
-    unit: str
-    low: float
-    high: float
-
-
-#: K_coup_level multiplies both ends of the coupling stiffness, K_coup_contrast the ratio of the two.
-CONSTANTS = (
-    Factor("C_coup_pa_s_m", "Pa·s/m", 30, 900),
-    Factor("A_muc_0_m2", "m²", 5e-6, 9e-6),
-    Factor("K_coup_level", "1", 1.6, 4.4),
-    Factor("K_coup_contrast", "1", 0.4, 2.0),
-    Factor("K_col_pa_m", "Pa/m", 1.4e6, 3.5e6),
-    Factor("C_col_pa_s_m", "Pa·s/m", 100, 500),
-    Factor("eta_m_pa_s", "Pa·s", 0.4, 1.0),
-    Factor("G_m_pa", "Pa", 25, 120),
-)
-POSTURE = (
-    Factor("lca_ia", "1", 0.45, 0.8),
-    Factor("ct", "1", 0.07, 0.3),
-    Factor("ta", "1", 0.25, 0.55),
-    Factor("pca", "1", 0.08, 0.23),
-)
-FACTORS = (*CONSTANTS, *POSTURE)
-#: Each round: how many candidates, in what share of each factor's logarithmic range.
-ROUNDS = ((40, 1.0), (24, 0.4), (16, 0.2))
-POSTURES = 6
-#: Norms that a variant must meet, and those from which on the claims are judged, to see what they cost.
-WANTED, ENOUGH = 12, 10
-CLAIMS_RUN_S = 0.5
-SEED = 20261125
+    one_way: Verdicts
+    two_way: Verdicts
 
 
 class Candidate(NamedTuple):
-    """One candidate: its factors, the judged norms, how far those out of range are, in widths of their ranges, and
-    the verdicts of the paper's claims by key; None: it meets too few norms to be asked.
-    """
+    """A set judged in full: its factors, the judged norms, how far those out of range are, and the claims' verdicts."""
 
     values: Values
     judged: dict[str, Any]
     distance: float
-    claims: dict[str, str] | None = None
+    claims: Verdicts
+    reference: Reference
 
     @property
     def in_range(self) -> int:
         return self.judged["in_range"]
 
-    def count(self, verdict: str) -> int:
-        return sum(found == verdict for found in (self.claims or {}).values())
+    @property
+    def lost(self) -> list[str]:
+        """Claims on trends that come out worse than with the paper's constants, both two-way coupled."""
+        return [key for key in TRENDS if RANK[self.claims[key]] > RANK[self.reference.two_way[key]]]
 
     @property
-    def by_norms(self) -> tuple[int, float]:
-        return -self.in_range, self.distance
+    def kept(self) -> list[str]:
+        """Claims on trends that come out no worse than with the paper's constants, one-way coupled."""
+        return [key for key in TRENDS if RANK[self.claims[key]] <= RANK[self.reference.one_way[key]]]
 
     @property
     def rank(self) -> tuple[float, ...]:
-        """The wanted norms first, then the fewest claims that fail and the most that pass."""
-        missing = max(WANTED - self.in_range, 0) if self.claims else WANTED
-        return missing, self.count(FAIL), -self.count(PASS), *self.by_norms
+        """The rule, smallest first."""
+        return max(WANTED - self.in_range, 0), len(self.lost), -len(self.kept), -self.in_range, self.distance
+
+    @property
+    def merits(self) -> tuple[int, int, int]:
+        return self.in_range, -len(self.lost), len(self.kept)
 
     def beats(self, other: "Candidate") -> bool:
-        """Whether it is as good in norms, claims that pass and claims that fail, and better in one of them."""
-        mine, its = ((c.in_range, c.count(PASS), -c.count(FAIL)) for c in (self, other))
-        return mine != its and all(a >= b for a, b in zip(mine, its, strict=True))
-
-
-def base_of(values: Mapping[str, float]) -> Simulation:
-    """The request of a candidate, two-way coupled, all constants but the factors the paper's."""
-    spread = sqrt(values["K_coup_contrast"])
-    own = {f.name: values[f.name] for f in CONSTANTS if f.name in FoldConstants.__dataclass_fields__}
-    return simulation_from_dict(
-        {
-            "model": {"coupling": "two_way"},
-            "activation": {
-                "lca": values["lca_ia"], "ia": values["lca_ia"],
-                **{name: values[name] for name in ("ct", "ta", "pca")},
-            },
-            "constants": {
-                **own,
-                "K_coup_min_pa_m": _PAPER.K_coup_min_pa_m * values["K_coup_level"] / spread,
-                "K_coup_max_pa_m": _PAPER.K_coup_max_pa_m * values["K_coup_level"] * spread,
-            },
-        }
-    )  # fmt: skip
-
-
-def distance(rows: Mapping[str, Mapping[str, Any]]) -> float:
-    """Sum over the fifteen of how far a number lies out of its range, in widths of the range; 1 without a number."""
-    total = 0.0
-    for key in FIFTEEN:
-        norm, value = NORMS[key], rows[key]["value"]
-        beyond = 1.0 if value is None else max(norm.low - value, value - norm.high, 0.0) / (norm.high - norm.low)
-        total += min(beyond, 1.0)
-    return total
-
-
-def in_best_posture(postures: Sequence[Values], constants: Values) -> Candidate:
-    """Run and judge one set of constants by the norms in each posture, in a worker; the best of them."""
-    return min((_by_norms(constants | posture) for posture in postures), key=lambda candidate: candidate.by_norms)
-
-
-def _by_norms(values: Values) -> Candidate:
-    result = judged({name: answer(request) for name, request in requests(base_of(values)).items()})
-    return Candidate(values, result, distance(result["norms"]))
-
-
-def with_claims(candidate: Candidate, pool: ProcessPoolExecutor) -> Candidate:
-    """The candidate with the paper's claims judged, if it meets enough norms."""
-    if candidate.in_range < ENOUGH:
-        return candidate
-    base = base_of(candidate.values)
-    base = replace(base, run=replace(base.run, duration_s=CLAIMS_RUN_S))
-    cases = {key: coarse(case) for key, case in cases_for(base, PHYSICS).items()}
-    outcomes = judge(gather(cases, pool).evidence, PHYSICS)
-    return candidate._replace(claims={key: str(outcome.verdict) for key, outcome in outcomes.items()})
-
-
-def design(factors: Sequence[Factor], count: int, seed: int) -> list[Values]:
-    """``count`` candidates on a Latin hypercube over the logarithms of the factors."""
-    cube = qmc.LatinHypercube(len(factors), seed=seed).random(count)
-    return [{f.name: f.low * (f.high / f.low) ** float(u) for f, u in zip(factors, row, strict=True)} for row in cube]
-
-
-def around(best: Mapping[str, float], factors: Sequence[Factor], share: float) -> tuple[Factor, ...]:
-    """A smaller box: ``share`` of each logarithmic range, centred on the best candidate and kept inside the first."""
-    boxes = []
-    for f in factors:
-        half = (f.high / f.low) ** (share / 2)
-        boxes.append(Factor(f.name, f.unit, max(f.low, best[f.name] / half), min(f.high, best[f.name] * half)))
-    return tuple(boxes)
+        """Whether it is as good in norms, claims lost and claims kept, and better in one of them."""
+        return self.merits != other.merits and all(a >= b for a, b in zip(self.merits, other.merits, strict=True))
 
 
 def study_document(
     pool: ProcessPoolExecutor,
     progress: Progress = lambda done, total: None,
-    rounds: Sequence[tuple[int, float]] = ROUNDS,
+    size: int = SIZE,
+    generations: int = GENERATIONS,
+    finalists: int = FINALISTS,
 ) -> dict[str, Any]:
-    """Run the study: the best candidates, those that no other beats, and how the constants move what is judged."""
-    warm_up(base_of(design(FACTORS, 1, SEED)[0]))
-    found: list[Candidate] = []
-    boxes, effects = (CONSTANTS, POSTURE), {}
-    for number, (count, share) in enumerate(rounds):
-        if found:
-            best = min(found, key=lambda candidate: candidate.rank).values
-            boxes = (around(best, CONSTANTS, share), around(best, POSTURE, share))
-        postures = design(boxes[1], POSTURES, SEED + number)
-        plan = design(boxes[0], count, SEED + number)
-        for candidate in pool.map(partial(in_best_posture, postures), plan):
-            found.append(with_claims(candidate, pool))
-            progress(len(found), sum(planned for planned, _ in rounds))
-        effects = effects or _effects(found)
-    ranked = sorted(found, key=lambda candidate: candidate.rank)
+    """Run the study: the sets judged in full, those that no other beats, and how the constants move the numbers."""
+    total, ticks = size * (generations + 1) + finalists, itertools.count(1)
+
+    def count() -> None:
+        progress(next(ticks), total)
+
+    reference = Reference(*(_verdicts(_paper(way), pool) for way in ("one_way", "two_way")))
+    allowed = {key: RANK[verdict] for key, verdict in reference.two_way.items()}
+
+    def attempt(points: Sequence[np.ndarray], bars: Sequence[float]) -> list[Tried]:
+        found = []
+        for one in pool.map(partial(shortfall, allowed), points, bars):
+            found.append(one)
+            count()
+        return found
+
+    found = list(evolve(sample(size, SEED), attempt, generations, SEED))
+    last = found[-1]
+    ranked = []
+    for values in best_of(last.points, last.tried, finalists):
+        ranked.append(_in_full(values, reference, pool))
+        count()
+    ranked.sort(key=lambda candidate: candidate.rank)
     return {
         "kind": "calibration",
         "provenance": provenance(),
         "factors": [{"name": f.name, "unit": f.unit, "low": f.low, "high": f.high} for f in FACTORS],
-        "candidates": len(found),
-        "judged_by_claims": sum(candidate.claims is not None for candidate in found),
-        "best": [_plain(candidate) for candidate in ranked[:10]],
+        "reference": reference._asdict(),
+        "tried": size * (generations + 1),
+        "shortfall": [round(min(one.total for one in generation.tried), 3) for generation in found],
+        "best": [_plain(candidate) for candidate in ranked],
         "front": [_plain(candidate) for candidate in front(ranked)],
-        "effects": effects,
+        "effects": _effects(found[0].points, found[0].tried),
     }
+
+
+def best_of(points: np.ndarray, tried: Sequence[Tried], count: int) -> list[Values]:
+    """The factors of the ``count`` best points that differ after rounding, the best first."""
+    kept: dict[tuple, Values] = {}
+    for k in np.argsort([one.total for one in tried], kind="stable"):
+        values = values_at(points[k])
+        kept.setdefault((*constants_of(values).values(), *activation_of(values).values()), values)
+    return list(kept.values())[:count]
 
 
 def front(found: Iterable[Candidate]) -> list[Candidate]:
     """The candidates that none beats in norms and claims at once, most norms first; of equals the first."""
-    asked = [candidate for candidate in found if candidate.claims is not None]
-    kept = {}
-    for candidate in asked:
-        if not any(other.beats(candidate) for other in asked):
-            kept.setdefault((candidate.in_range, candidate.count(PASS), candidate.count(FAIL)), candidate)
+    everyone = list(found)
+    kept: dict[tuple, Candidate] = {}
+    for candidate in everyone:
+        if not any(other.beats(candidate) for other in everyone):
+            kept.setdefault(candidate.merits, candidate)
     return [kept[key] for key in sorted(kept, reverse=True)]
 
 
-def _effects(found: Sequence[Candidate]) -> dict[str, dict[str, float]]:
-    table = {key: _correlations((c.values, c.judged["norms"][key]["value"]) for c in found) for key in FIFTEEN}
-    asked = [candidate for candidate in found if candidate.claims is not None]
-    for verdict in (PASS, FAIL):
-        table[f"claims that {verdict}"] = _correlations((c.values, c.count(verdict)) for c in asked)
-    return table
+def _paper(way: str) -> Simulation:
+    return simulation_from_dict({"model": {"coupling": way}})
 
 
-def _correlations(numbers: Iterable[tuple[Values, float | None]]) -> dict[str, float]:
+def _verdicts(base: Simulation, pool: ProcessPoolExecutor) -> Verdicts:
+    warm_up(base)
+    outcomes = judge(gather(cases_for(base, PHYSICS), pool).evidence, PHYSICS)
+    return {key: str(outcome.verdict) for key, outcome in outcomes.items()}
+
+
+def _in_full(values: Values, reference: Reference, pool: ProcessPoolExecutor) -> Candidate:
+    base = base_of(values)
+    result = score_base(base, pool)
+    return Candidate(values, result, sum(distances(result["norms"]).values()), _verdicts(base, pool), reference)
+
+
+def _effects(points: np.ndarray, tried: Sequence[Tried]) -> dict[str, dict[str, float]]:
+    """Over the first generation, in which every set is run to the end."""
+    sets = [values_at(point) for point in points]
+    table = {key: _correlations(sets, [one.values.get(key) for one in tried]) for key in FIFTEEN}
+    for key in AIMS:
+        table[f"{key}: {AIMS[key].part}"] = _correlations(sets, [one.numbers.get(key) for one in tried])
+    return table | {"shortfall": _correlations(sets, [one.total for one in tried])}
+
+
+def _correlations(sets: Sequence[Values], numbers: Sequence[float | None]) -> dict[str, float]:
     """Rank correlation of a number with each constant."""
-    known = [(values, value) for values, value in numbers if value is not None]
-    column = [value for _, value in known]
+    known = [(values, number) for values, number in zip(sets, numbers, strict=True) if number is not None]
+    known = [(values, number) for values, number in known if np.isfinite(number)]
+    column = [number for _, number in known]
     if len(set(column)) < 2:  # what never moves goes with nothing
         return dict.fromkeys((f.name for f in CONSTANTS), 0.0)
     return {
@@ -232,10 +188,16 @@ def _correlations(numbers: Iterable[tuple[Values, float | None]]) -> dict[str, f
 
 
 def _plain(candidate: Candidate) -> dict[str, Any]:
+    counts = {str(verdict): sum(found == verdict for found in candidate.claims.values()) for verdict in RANK}
     return {
-        "values": {name: float(f"{value:.3g}") for name, value in candidate.values.items()},
+        "constants": constants_of(candidate.values),
+        "activation": activation_of(candidate.values),
         "in_range": candidate.in_range,
         "distance": round(candidate.distance, 3),
         "norms": {key: candidate.judged["norms"][key]["value"] for key in FIFTEEN},
-        "claims": candidate.claims,
+        "score": counts,
+        "lost": candidate.lost,
+        "kept": len(candidate.kept),
+        "failed": [key for key, verdict in candidate.claims.items() if verdict == FAIL],
+        "short": [key for key, verdict in candidate.claims.items() if verdict not in (FAIL, PASS)],
     }

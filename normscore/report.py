@@ -52,23 +52,25 @@ def markdown(header: tuple[str, ...], lines: list[tuple[str, ...]]) -> str:
 
 
 def calibration_rows(document: Mapping[str, Any], which: str = "best") -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Candidates of the calibration study, its ``best`` or its ``front``: norms in range, claims, factors, misses."""
-    names = [factor["name"] for factor in document["factors"]]
-    header = ("norms in range", "claims: pass / deviation / fail", *names, "norms missed", "claims that fail")
+    """Sets of the calibration study judged in full, its ``best`` or its ``front``: norms, claims, factors, misses."""
+    names = [*document[which][0]["constants"], "lca_ia", "ct", "ta", "pca"]
+    header = ("norms in range", "claims: pass / deviation / fail", "lost", "kept", *names, "norms missed",
+              "claims that fail")  # fmt: skip
     return header, [_calibration_row(candidate, names) for candidate in document[which]]
 
 
 def _calibration_row(candidate: Mapping[str, Any], names: Sequence[str]) -> tuple[str, ...]:
-    claims = candidate["claims"] or {}
-    counts = (str(sum(found == verdict for found in claims.values())) for verdict in Verdict)
     missed = [
         f"{NORMS[key].symbol} {shown(NORMS[key], value)}"
         for key, value in candidate["norms"].items()
         if value is None or not NORMS[key].low <= value <= NORMS[key].high
     ]
-    failed = [key for key, verdict in claims.items() if verdict == Verdict.FAIL]
-    values = (f"{candidate['values'][name]:.3g}" for name in names)
-    return str(candidate["in_range"]), " / ".join(counts), *values, ", ".join(missed), ", ".join(failed)
+    factors = candidate["constants"] | candidate["activation"] | {"lca_ia": candidate["activation"]["lca"]}
+    counts = " / ".join(str(candidate["score"][verdict]) for verdict in Verdict)
+    return (
+        str(candidate["in_range"]), counts, ", ".join(candidate["lost"]) or "none", str(candidate["kept"]),
+        *(f"{factors[name]:.3g}" for name in names), ", ".join(missed), ", ".join(candidate["failed"]),
+    )  # fmt: skip
 
 
 _STYLE = """

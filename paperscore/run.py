@@ -12,6 +12,7 @@ from dataclasses import asdict, replace
 from multiprocessing import get_context
 from typing import Any, NamedTuple
 
+from vfcore.batch import run_points
 from vfcore.errors import VocalisError
 from vfcore.measures.catalogue import CATALOGUE, MeasureReport
 from vfcore.measures.measure import Measure
@@ -93,6 +94,18 @@ def gather(
     return Gathered(found, failures)
 
 
+def gather_here(cases: Mapping[str, Case]) -> dict[str, Any]:
+    """Evidence of the cases, run in this process; of maps and sweeps only what their claims read."""
+    return {key: _EVIDENCE[case.kind](case, _answers(case)) for key, case in cases.items()}
+
+
+def _answers(case: Case) -> list:
+    if case.kind not in _READ:
+        return [_answer(case.kind, request, prepare) for request in case.requests()]
+    points = run_points(case.requests(), measures=_READ[case.kind])
+    return [point.report or Failure(str(point.problem)) for point in points]
+
+
 def timing(own: Simulation) -> evidence.Timing | Failure:
     """Wall time of one warm call with the paper's step and with the step of ``own``."""
     try:
@@ -165,4 +178,5 @@ def _report(answer: MeasureReport | Failure) -> MeasureReport:
     return MeasureReport(FAILED, answer.reason, None, missing, 0, None)
 
 
+_READ = {"map": evidence.MAP_MEASURES, "sweep": evidence.SWEEP_MEASURES}
 _EVIDENCE = {"static": _static, "voice": _voice, "map": _map, "sweep": _sweep}

@@ -11,7 +11,7 @@ from vfcore.request import simulation_from_dict
 from vfcore.simulate import simulate
 from vocalis_paper import CASES, CLAIMS, Verdict
 from vocalis_paper.cases import Axis
-from vocalis_paper.run import Failure, gather, workers
+from vocalis_paper.run import Failure, gather, gather_here, workers
 from vocalis_paper.run_score import cases_for, definitions_hash, judge, score
 
 TOO_LONG_A_STEP = simulation_from_dict({"run": {"time_step_s": 1e-3}})
@@ -42,6 +42,21 @@ def test_the_other_runs_of_a_map_go_on():
     gathered = gather({"ct_ta_map": one_bad}, InlinePool())
     assert gathered.evidence["ct_ta_map"].state.tolist() == [["failed", "periodic"]]
     assert len(gathered.failures) == 1
+
+
+def test_the_same_evidence_comes_of_runs_in_this_process():
+    cases = small("ct_ta_map", (0.3, 0.6), (0.2, 0.4)) | small("pca_sweep", (0.0, 0.5))
+    cases |= {"modal": replace(CASES["modal"], base=SHORT)} | small("static_ct", (0.0, 0.5))
+    here, there = gather_here(cases), gather(cases, InlinePool()).evidence
+    assert set(here) == set(cases)
+    for key, evidence in there.items():
+        for mine, its in zip(here[key], evidence, strict=True):
+            if getattr(mine, "dtype", np.dtype(object)).kind == "f":
+                np.testing.assert_allclose(mine, its, rtol=1e-9, atol=0)
+            else:
+                np.testing.assert_equal(mine, its)
+    lost = gather_here(small("ct_ta_map", (0.2, 0.3), (0.1,), base=TOO_LONG_A_STEP))
+    assert lost["ct_ta_map"].state.tolist() == [["failed"], ["failed"]]
 
 
 def test_a_claim_whose_run_has_no_answer_fails_with_the_reason():
