@@ -25,11 +25,21 @@ from scipy.stats import spearmanr
 
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict
-from vocalis_norms.evolution import evolve
-from vocalis_norms.factors import CONSTANTS, FACTORS, Values, activation_of, base_of, constants_of, sample, values_at
+from vocalis_norms.evolution import Generation, evolve
+from vocalis_norms.factors import (
+    CONSTANTS,
+    FACTORS,
+    POSTURE,
+    Values,
+    activation_of,
+    base_of,
+    constants_of,
+    sample,
+    values_at,
+)
 from vocalis_norms.norms import FIFTEEN
-from vocalis_norms.score import score_base
-from vocalis_norms.shortfall import AIMS, RANK, TRENDS, WANTED, Tried, distances, shortfall
+from vocalis_norms.score import judged, score_base
+from vocalis_norms.shortfall import AIMS, RANK, TRENDS, WANTED, Tried, distances, shortfall, voices
 from vocalis_paper.bands import FAIL, PASS
 from vocalis_paper.run import gather, warm_up
 from vocalis_paper.run_document import provenance
@@ -37,8 +47,12 @@ from vocalis_paper.run_score import cases_for, judge
 from vocalis_paper.study import PHYSICS
 
 SEED = 20261126
-#: Sets in the population, generations after the first, and how many of the best are judged in full.
-SIZE, GENERATIONS, FINALISTS = 40, 32, 12
+#: Each round: how many of the best sets go on, for how many generations, and how long the paper's voices run, s. What
+#: the first takes is a Latin hypercube; the second reads these voices as they are judged in the end.
+ROUNDS = ((40, 11, 0.5), (24, 11, 1.0))
+#: How many of the best sets are judged in full, and in how many other postures, the same for all, the norms are read
+#: before: a norm fixes no muscles.
+FINALISTS, POSTURES = 9, 16
 Progress = Callable[[int, int], None]
 Verdicts = Mapping[str, str]
 
@@ -90,30 +104,32 @@ class Candidate(NamedTuple):
 def study_document(
     pool: ProcessPoolExecutor,
     progress: Progress = lambda done, total: None,
-    size: int = SIZE,
-    generations: int = GENERATIONS,
+    rounds: Sequence[tuple[int, int, float]] = ROUNDS,
     finalists: int = FINALISTS,
 ) -> dict[str, Any]:
     """Run the study: the sets judged in full, those that no other beats, and how the constants move the numbers."""
-    total, ticks = size * (generations + 1) + finalists, itertools.count(1)
+    trials = sum(size * (generations + 1) for size, generations, _ in rounds)
+    ticks = itertools.count(1)
 
     def count() -> None:
-        progress(next(ticks), total)
+        progress(next(ticks), trials + finalists)
 
     reference = Reference(*(_verdicts(_paper(way), pool) for way in ("one_way", "two_way")))
     allowed = {key: RANK[verdict] for key, verdict in reference.two_way.items()}
 
-    def attempt(points: Sequence[np.ndarray], bars: Sequence[float]) -> list[Tried]:
+    def attempt(voice_s: float, points: Sequence[np.ndarray], bars: Sequence[float]) -> list[Tried]:
         found = []
-        for one in pool.map(partial(shortfall, allowed), points, bars):
+        for one in pool.map(partial(shortfall, allowed, voice_s), points, bars):
             found.append(one)
             count()
         return found
 
-    found = list(evolve(sample(size, SEED), attempt, generations, SEED))
-    last = found[-1]
+    found: list[Generation] = []
+    for number, (size, generations, voice_s) in enumerate(rounds):
+        points = _leading(found[-1], size) if found else sample(size, SEED)
+        found += evolve(points, partial(attempt, voice_s), generations, SEED + number)
     ranked = []
-    for values in best_of(last.points, last.tried, finalists):
+    for values in best_of(found[-1].points, found[-1].tried, finalists):
         ranked.append(_in_full(values, reference, pool))
         count()
     ranked.sort(key=lambda candidate: candidate.rank)
@@ -122,12 +138,17 @@ def study_document(
         "provenance": provenance(),
         "factors": [{"name": f.name, "unit": f.unit, "low": f.low, "high": f.high} for f in FACTORS],
         "reference": reference._asdict(),
-        "tried": size * (generations + 1),
-        "shortfall": [round(min(one.total for one in generation.tried), 3) for generation in found],
+        "tried": trials,
+        "shortfall": [round(min(one.total for one in generation.tried), 2) for generation in found],
         "best": [_plain(candidate) for candidate in ranked],
         "front": [_plain(candidate) for candidate in front(ranked)],
         "effects": _effects(found[0].points, found[0].tried),
     }
+
+
+def _leading(generation: Generation, size: int) -> np.ndarray:
+    """The points of the ``size`` best sets."""
+    return generation.points[np.argsort([one.total for one in generation.tried], kind="stable")[:size]]
 
 
 def best_of(points: np.ndarray, tried: Sequence[Tried], count: int) -> list[Values]:
@@ -159,7 +180,23 @@ def _verdicts(base: Simulation, pool: ProcessPoolExecutor) -> Verdicts:
     return {key: str(outcome.verdict) for key, outcome in outcomes.items()}
 
 
+def by_norms(values: Values) -> tuple[int, float]:
+    """Smallest first: how a set does by the norms alone, in a worker."""
+    result = judged(voices(base_of(values)))
+    return -result["in_range"], sum(distances(result["norms"]).values())
+
+
+def _in_best_posture(values: Values, pool: ProcessPoolExecutor) -> Values:
+    """The set in its own posture, or in another where it meets more norms."""
+    names = [f.name for f in POSTURE]
+    others = [values | {name: at[name] for name in names} for at in map(values_at, sample(POSTURES, SEED))]
+    asked = [values, *others]
+    ranks = list(pool.map(by_norms, asked))
+    return asked[min(range(len(asked)), key=ranks.__getitem__)]
+
+
 def _in_full(values: Values, reference: Reference, pool: ProcessPoolExecutor) -> Candidate:
+    values = _in_best_posture(values, pool)
     base = base_of(values)
     result = score_base(base, pool)
     return Candidate(values, result, sum(distances(result["norms"]).values()), _verdicts(base, pool), reference)

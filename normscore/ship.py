@@ -1,7 +1,8 @@
 """The shipped results and the tables of docs/human.md, in a source tree (an installed package has no docs/).
 
 `python -m vocalis_norms.ship` runs norms, claims and coupling anew and writes all (two or three minutes), with
-`--study` also the calibration (half an hour on two cores); with `--text` it writes the tables alone, from the shipped results.
+`--study` also the calibration (half an hour on two cores more); with `--text` it writes the tables alone, from the
+shipped results.
 """
 
 import json

@@ -76,13 +76,15 @@ class Tried(NamedTuple):
     numbers: dict[str, float]
 
 
-def shortfall(allowed: Mapping[str, int], point: np.ndarray, bar: float) -> Tried:
-    """Run and grade the set at a point of the unit cube until it is beyond ``bar``; ``allowed``: the ranks of the
-    claims that count as not lost.
+def shortfall(allowed: Mapping[str, int], voice_s: float, point: np.ndarray, bar: float) -> Tried:
+    """Run and grade the set at a point of the unit cube until it is beyond ``bar``.
+
+    ``allowed``: the ranks of the claims that count as not lost; ``voice_s``: the length of the paper's three voices.
     """
     values = values_at(point)
     total, norms, read, numbers = 0.0, 0, {}, {}
-    for stage in (_claims(STAGES[0], allowed), _norms, *(_claims(keys, allowed) for keys in STAGES[1:])):
+    graded = [_claims(keys, allowed, voice_s) for keys in STAGES]
+    for stage in (graded[0], _norms, *graded[1:]):
         short, found = stage(values)
         total += short
         if stage is _norms:
@@ -95,13 +97,13 @@ def shortfall(allowed: Mapping[str, int], point: np.ndarray, bar: float) -> Trie
 
 
 def _norms(values: Values) -> tuple[float, dict[str, Any]]:
-    result = judged(_voices(_short(base_of(values))))
+    result = judged(voices(_lasting(base_of(values), RUN_S)))
     apart = sorted(distances(result["norms"]).values())
     spare = sum(SPARE for far in apart[WANTED:] if far > 0.0)
     return MISSED * sum(apart[:WANTED]) + spare + SPARE * sum(apart), result
 
 
-def _voices(base: Simulation) -> dict[str, Any]:
+def voices(base: Simulation) -> dict[str, Any]:
     """The runs of the norms; above the threshold no further pressure is tried."""
     wanted = requests(base)
     found = {name: answer(request) for name, request in wanted.items() if not name.startswith("threshold")}
@@ -124,13 +126,14 @@ def distances(rows: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
     return found
 
 
-def _claims(keys: tuple[str, ...], allowed: Mapping[str, int]) -> Callable[[Values], tuple[float, dict[str, float]]]:
+def _claims(
+    keys: tuple[str, ...], allowed: Mapping[str, int], voice_s: float
+) -> Callable[[Values], tuple[float, dict[str, float]]]:
     """A stage: runs the cases ``keys`` and grades the claims that need only them."""
     claims = {key: claim for key, claim in TRENDS.items() if set(claim.needs) <= set(keys)}
 
     def graded(values: Values) -> tuple[float, dict[str, float]]:
-        base = _short(base_of(values))
-        found = gather_here({key: _coarse(replace(CASES[key], base=base)) for key in keys})
+        found = gather_here({key: _coarse(CASES[key], base_of(values), voice_s) for key in keys})
         outcomes = judge(found, claims)
         numbers = {key: _number(outcome, AIMS[key].part) for key, outcome in outcomes.items() if key in AIMS}
         short = sum(AIMS[key].missed(value) for key, value in numbers.items())
@@ -158,11 +161,12 @@ def _lateness(voice) -> float:
     return max((after + count // 2) % count - count // 2, 0) / count
 
 
-def _short(base: Simulation) -> Simulation:
-    return replace(base, run=replace(base.run, duration_s=RUN_S))
+def _lasting(base: Simulation, seconds: float) -> Simulation:
+    return replace(base, run=replace(base.run, duration_s=seconds))
 
 
-def _coarse(case: Case) -> Case:
+def _coarse(case: Case, base: Simulation, voice_s: float) -> Case:
+    case = replace(case, base=_lasting(base, voice_s if case.kind == "voice" else RUN_S))
     if case.kind == "map":
         return replace(case, axes=tuple(Axis(axis.muscles, at) for axis, at in zip(case.axes, COARSE, strict=True)))
     if case.kind == "sweep":
