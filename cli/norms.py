@@ -29,7 +29,8 @@ range; otherwise by how much it is missed. Efforts are lung pressures of soft, n
 - `vocalis norms` — the human variant with two-way coupling beside the paper's variant, some ten seconds
 - `vocalis norms --variant paper --coupling two_way` — one variant, one coupling
 - `vocalis norms --html norms.html --json norms.json` — the table with sources, every number
-- `vocalis norms --study` — the search that finds the constants of the human variant, half an hour on two cores
+- `vocalis norms --study` — the search that finds the constants of the human variant, half an hour on two cores; its
+  first line is the set that the variant adopts
 """
 _STYLES = {"pass": "green", "deviation": "yellow", "no number": "red"}
 #: Columns when no variant is asked for.
