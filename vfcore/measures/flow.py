@@ -38,7 +38,9 @@ def flow_slope(flow_m3_s: np.ndarray, sample_rate_hz: float, cycles: Cycles) -> 
     sigma = sqrt(log(2.0)) / (2.0 * pi * SLOPE_CUTOFF_HZ) * sample_rate_hz
     reach = int(6.0 * sigma) + 1
     begin, end = max(cycles.bounds[0] - reach, 0), cycles.bounds[-1] + reach
-    slope = gaussian_filter1d(flow_m3_s[begin:end].astype(np.float64, copy=False), sigma, order=1, truncate=6.0, mode="nearest")
+    slope = gaussian_filter1d(
+        flow_m3_s[begin:end].astype(np.float64, copy=False), sigma, order=1, truncate=6.0, mode="nearest"
+    )
     return slope[cycles.bounds[0] - begin :][: cycles.bounds[-1] - cycles.bounds[0]] * sample_rate_hz
 
 
