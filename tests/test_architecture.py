@@ -38,7 +38,7 @@ BASE = {"errors", "fields", "constants", "params", "posture.tables", "variants"}
 MAY_IMPORT = {
     "kernels": set(),
     "measures": {"errors", "fields"},
-    "tissue": BASE,
+    "tissue": BASE | {"kernels"},
     "posture": BASE | {"kernels"},
     "acoustics": BASE | {"kernels"},
     "errors": set(),
@@ -49,7 +49,7 @@ MAY_IMPORT = {
     "version": set(),
     "closure": set(),
     "assemble": BASE | {"tissue", "kernels"},
-    "stability": BASE | {"assemble"},
+    "stability": BASE | {"assemble", "kernels"},
     "statics": BASE | {"assemble", "closure", "kernels"},
     "march": BASE | {"acoustics", "assemble", "statics", "kernels"},
     "march_batch": BASE | {"acoustics", "assemble", "statics", "kernels", "march"},

@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vfcore.constants import FoldConstants
-from vfcore.kernels.layout import SCALARS, Layout
+from vfcore.kernels.layout import Layout
+from vfcore.kernels.tissue import step_numbers
 from vfcore.params import Simulation
 from vfcore.tissue.beam import beam_operator
 from vfcore.tissue.coefficients import Coefficients
@@ -77,27 +78,13 @@ def with_constants(fold: Fold, **changes: float) -> Fold:
 
 def scalars(fold: Fold, time_step_s: float) -> np.ndarray:
     """The step's parameter array, layout.SCALARS."""
-    c, k = fold.coefficients, fold.constants
-    values = {
-        "dt": time_step_s,
-        "dy": fold.dy,
-        "alpha_s": k.alpha_s,
-        "half_rho_a": 0.5 * k.rho_a_kg_m3,
-        "twelve_mu_a": 12.0 * k.mu_a_pa_s,
-        "T_over_dx2": c.membrane_tension_n_m / fold.dx**2,
-        "G_shear_per_dy2": c.membrane_shear_n_m / fold.dy**2,
-        "eta_shear_per_dy2": c.membrane_shear_viscosity_n_s_m / fold.dy**2,
-        "C_coup": k.C_coup_pa_s_m,
-        "K_col": k.K_col_pa_m,
-        "C_col": k.C_col_pa_s_m,
-        "K_foun": k.K_foun_pa,
-        "C_foun": k.C_foun_pa_s,
-        "per_beam_density": 1.0 / c.beam_density_kg_m,
-        "per_rotation_inertia": 1.0 / c.rotation_inertia_kg_m,
-        "G_rotation": k.G_m_pa,
-        "eta_rotation": k.eta_m_pa_s,
-    }
-    return np.array([values[name] for name in SCALARS])
+    c = fold.coefficients
+    return np.array(
+        step_numbers(
+            time_step_s, fold.dx, fold.dy, c.membrane_tension_n_m, c.membrane_shear_n_m,
+            c.membrane_shear_viscosity_n_s_m, c.beam_density_kg_m, c.rotation_inertia_kg_m, fold.constants,
+        )
+    )  # fmt: skip
 
 
 def empty_buffer(layout: Layout, precision: str = "float64") -> np.ndarray:

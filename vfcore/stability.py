@@ -15,6 +15,7 @@ import math
 
 from vfcore.assemble import Fold
 from vfcore.errors import StabilityError
+from vfcore.kernels.tissue import longest_step
 from vfcore.params import DEFAULT_STEP_S, Run
 
 #: Fraction of the bound that is used: room for rounding and for the air, which the linear bound leaves out.
@@ -23,29 +24,12 @@ SAFETY = 0.95
 
 def longest_stable_step_s(fold: Fold) -> float:
     """The longest step that keeps every mode of the linear system, in contact, from growing; s."""
-    c, k = fold.coefficients, fold.constants
-    shear = 4.0 / fold.dy**2
-    stretch = 4.0 * c.membrane_tension_n_m / fold.dx**2 + shear * c.membrane_shear_n_m
-    membrane_omega2 = (stretch + k.K_col_pa_m) / c.membrane_density_kg_m2
-    membrane_rate = (shear * c.membrane_shear_viscosity_n_s_m + k.C_col_pa_s_m) / c.membrane_density_kg_m2
-    if fold.rotation:
-        membrane_omega2 += k.G_m_pa / c.rotation_inertia_kg_m
-        membrane_rate += k.eta_m_pa_s / c.rotation_inertia_kg_m
-    per_reduced_mass = 1.0 / c.membrane_density_kg_m2 + c.thickness_m / c.beam_density_kg_m
-    coupling_omega2 = float(fold.K_coup_pa_m.max()) * per_reduced_mass
-    coupling_rate = k.C_coup_pa_s_m * per_reduced_mass
-    return SAFETY * min(
-        _longest_step_s(membrane_omega2 + coupling_omega2, membrane_rate + coupling_rate),
-        _longest_step_s(
-            k.K_foun_pa / c.beam_density_kg_m + coupling_omega2, k.C_foun_pa_s / c.beam_density_kg_m + coupling_rate
-        ),
-    )
-
-
-def _longest_step_s(omega2: float, rate: float) -> float:
-    """The step at which s + 4a = 4; infinite for a mode without spring and damper."""
-    weight = rate + math.sqrt(rate**2 + omega2)
-    return 2.0 / weight if weight > 0.0 else math.inf
+    c, stiffest = fold.coefficients, float(fold.K_coup_pa_m.max())
+    return SAFETY * longest_step(
+        fold.rotation, fold.dx, fold.dy, c.membrane_tension_n_m, c.membrane_shear_n_m,
+        c.membrane_shear_viscosity_n_s_m, c.membrane_density_kg_m2, c.rotation_inertia_kg_m, c.thickness_m,
+        c.beam_density_kg_m, stiffest, fold.constants,
+    )  # fmt: skip
 
 
 def time_step_s(run: Run, fold: Fold) -> float:

@@ -4,20 +4,24 @@ import numpy as np
 import pytest
 
 from vfcore import assemble
-from vfcore.gesture.glide import STRETCH_STEPS, GlidingFold
+from vfcore.gesture.glide import STRETCH_STEPS, GlidingFold, Goal
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import RECORD
 from vfcore.march import March
 from vfcore.params import DEFAULT_STEP_S, Activation, Run, Simulation
-from vfcore.simulate import prepare
+from vfcore.simulate import fold_of, posture_of
 
 pytestmark = pytest.mark.kernel
 STEPS, LOOK = 45, 20
 
 
+def goal(ct: float) -> Goal:
+    request = Simulation(activation=Activation(ct=ct), run=Run(nx=8, ny=4))
+    return Goal(request, posture_of(request))
+
+
 def started(ct: float) -> March:
-    fold = prepare(Simulation(activation=Activation(ct=ct), run=Run(nx=8, ny=4))).fold
-    march = March(fold, DEFAULT_STEP_S, 800.0)
+    march = March(fold_of(*goal(ct)), DEFAULT_STEP_S, 800.0)
     march.start_flat()
     return march
 
@@ -40,10 +44,10 @@ def twin(march: March, to: assemble.Fold, pressure: np.ndarray) -> tuple[np.ndar
 
 def test_a_glide_is_its_stretches():
     """Tolerance 1e-11 of each column's largest: rounding of 45 steps from a bump of 1 nm."""
-    to = started(0.6).fold
-    gliding = GlidingFold(started(0.1))
+    to = goal(0.6)
+    gliding = GlidingFold(started(0.1), goal(0.1))
     record = gliding.advance(to, 1200.0, STEPS, LOOK)
-    wanted, seen = twin(started(0.1), to, np.linspace(800.0, 1200.0, STEPS, endpoint=False))
+    wanted, seen = twin(started(0.1), fold_of(*to), np.linspace(800.0, 1200.0, STEPS, endpoint=False))
     scale = np.abs(wanted).max(axis=0) + 1e-300
     np.testing.assert_allclose(record / scale, wanted / scale, rtol=0, atol=1e-11)
     np.testing.assert_allclose(gliding.seen[0], seen, rtol=0, atol=1e-11 * np.abs(seen).max())

@@ -10,87 +10,150 @@ Between the folds at both ends of a block every fixed number of the buffer moves
 STRETCH_STEPS; the middle of each is used, so the error is second order in it.
 """
 
+from functools import lru_cache
+from operator import attrgetter
+from typing import NamedTuple
+
 import numpy as np
 
 from vfcore import assemble
+from vfcore.constants import FoldConstants
+from vfcore.errors import ParameterError
 from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M, step_kernel
-from vfcore.kernels.glide import differing, glide_kernel
+from vfcore.kernels.glide import glide_kernel
 from vfcore.kernels.layout import RECORD, Layout
+from vfcore.kernels.target import target_kernel
+from vfcore.kernels.tissue import Constants
 from vfcore.march import March, diverged
+from vfcore.params import Simulation
+from vfcore.posture.solution import PostureSolution
+from vfcore.simulate import fold_of
+from vfcore.stability import SAFETY, longest_stable_step_s
 
 #: 0.3 ms at the default step. In CT 0.1 → 0.9 within 50 ms, stretches of a fifth of it change the sound by −40 dB.
 STRETCH_STEPS = 10
 
 
-class GlidingFold:
-    """A fold under the step, block by block. ``fold`` and ``pressure_pa`` are those at the end of the last block."""
+class Goal(NamedTuple):
+    """What a fold is made of: the request and the posture that was found for it."""
 
-    def __init__(self, march: March):
-        self.fold, self.pressure_pa = march.fold, march.pressure_pa
+    request: Simulation
+    posture: PostureSolution
+
+
+class GlidingFold:
+    """A fold under the step, block by block. ``goal`` and ``pressure_pa`` are those at the end of the last block."""
+
+    def __init__(self, march: March, goal: Goal):
+        fold = march.fold
+        self.goal, self.pressure_pa = goal, march.pressure_pa
         self.time_step_s = march.time_step_s
         self.steps = 0
+        self._fold: assemble.Fold | None = fold
         self._buffer, self._scalars = march.buffer, march.scalars
-        grid = (self.fold.nx, self.fold.ny, self.fold.rotation)
-        self._advance, self._between = step_kernel(*grid), glide_kernel(*grid)
+        grid = (fold.nx, fold.ny, fold.rotation)
+        self._advance, self._between, self._fill = step_kernel(*grid), glide_kernel(*grid), target_kernel(*grid)
         self._air = None if march.air is None else march.air.copy()
-        self._beyond = assemble.beyond(self._buffer, Layout(self.fold.nx, self.fold.ny))
+        layout = Layout(fold.nx, fold.ny)
+        self._beyond = assemble.beyond(self._buffer, layout)
+        self._w, self._w_b = assemble.membrane(self._buffer, fold), assemble.beam(self._buffer, fold)
         self._pressure = np.empty(0)
-        self._layout = Layout(self.fold.nx, self.fold.ny)
-        self._rest, self._rest_to = (assemble.new_buffer(self.fold, self.time_step_s) for _ in range(2))
-        self._fixed, self._fixed_to = (assemble.fixed(rest, self._layout, 0) for rest in (self._rest, self._rest_to))
-        self._places, self._way = np.empty(self._layout.size, np.int64), np.empty(self._layout.size)
-        self._passing = np.empty_like(self._scalars)
+        self._rest, self._rest_to = (assemble.new_buffer(fold, self.time_step_s) for _ in range(2))
+        self._scalars_to, self._passing = self._scalars.copy(), np.empty_like(self._scalars)
+        self._way, self._work = np.empty(layout.size), np.empty(3 * fold.nx)
         self.seen = self.shape()
 
-    def advance(self, to: assemble.Fold, pressure_pa: float, steps: int, look_at: int = 0) -> np.ndarray:
-        """Move to another fold of the same grid and another pressure in ``steps``; (steps, 7), layout.RECORD.
+    @property
+    def fold(self) -> assemble.Fold:
+        """The fold of ``goal``, made when it is asked for: the step has its own numbers of it."""
+        if self._fold is None:
+            self._fold = fold_of(*self.goal)
+        return self._fold
+
+    def advance(
+        self, to: Goal, pressure_pa: float, steps: int, look_at: int = 0, out: np.ndarray | None = None
+    ) -> np.ndarray:
+        """Move to another goal of the same grid and another pressure in ``steps``; (steps, 7), layout.RECORD.
 
         ``look_at``: the step, a multiple of STRETCH_STEPS, after which ``seen`` is taken, 0 for not at all; looking
-        changes nothing.
-        Raises DivergenceError when the fold leaves all bounds.
+        changes nothing. ``out``: where the record goes, a new array without it.
+        Raises ParameterError for a goal that cannot be reached with this step or has no stiffness left, and
+        DivergenceError when the fold leaves all bounds.
         """
-        record = np.empty((steps, len(RECORD)))
+        gliding = to is not self.goal
+        if gliding:
+            self._aim(to)
+        record = np.empty((steps, len(RECORD))) if out is None else out
+        rows = record.reshape(-1)
         if pressure_pa != self.pressure_pa or len(self._pressure) != steps or self._pressure[-1] != pressure_pa:
             self._pressure = np.linspace(self.pressure_pa, pressure_pa, steps, endpoint=False)
-        pressure = self._pressure
-        if to is self.fold:
-            self._march(pressure, record, 0, look_at or steps)
+        move = self._glide if gliding else self._march
+        if 0 < look_at < steps:
+            move(rows, 0, look_at)
+            self.seen = self.shape()
+            move(rows, look_at, steps)
+        else:
+            move(rows, 0, steps)
             if look_at:
                 self.seen = self.shape()
-            self._march(pressure, record, look_at or steps, steps)
-        else:
-            self._glide(to, pressure, record, look_at)
-        self.fold, self.pressure_pa = to, pressure_pa
+        if gliding:
+            self._rest, self._rest_to = self._rest_to, self._rest
+            self._scalars, self._scalars_to = self._scalars_to, self._scalars
+            self.goal, self._fold = to, None
+        self.pressure_pa = pressure_pa
         self.steps += steps
         if self._beyond.any():
-            beyond = ~(np.abs(assemble.membrane(self._buffer, to)) < LARGEST_DISPLACEMENT_M)  # true for NaN
+            beyond = ~(np.abs(self._w) < LARGEST_DISPLACEMENT_M)  # true for NaN
             if beyond.any():
-                raise diverged(to, self.time_step_s, self.steps - 1, beyond)
+                raise diverged(self.fold, self.time_step_s, self.steps - 1, beyond)
         return record
 
     def shape(self) -> tuple[np.ndarray, np.ndarray]:
         """Present displacement (ny, nx) of the membrane and (nx,) of the beam; copies, m."""
-        return assemble.membrane(self._buffer, self.fold).copy(), assemble.beam(self._buffer, self.fold).copy()
+        return self._w.copy(), self._w_b.copy()
 
-    def _march(self, pressure: np.ndarray, record: np.ndarray, begin: int, end: int) -> None:
-        if begin < end:
-            rows = record[begin:end].reshape(-1)
-            self._advance(self._buffer, self._scalars, pressure[begin:end], 1, rows, self._air)
+    def _march(self, rows: np.ndarray, begin: int, end: int) -> None:
+        columns = len(RECORD)
+        pressure, rows = self._pressure[begin:end], rows[columns * begin : columns * end]
+        self._advance(self._buffer, self._scalars, pressure, 1, rows, self._air)
 
-    def _glide(self, to: assemble.Fold, pressure: np.ndarray, record: np.ndarray, look_at: int) -> None:
-        rest_to = self._rest_to
-        assemble.refill(self._fixed_to, to, self.time_step_s)
-        count = differing(self._rest, rest_to, self._places, self._way)  # state is 0 in both: geometry and tissue
-        places, way = self._places[:count], self._way[:count]
-        scalars_to = assemble.scalars(to, self.time_step_s)
-        steps = len(pressure)
-        for begin, end in ((0, look_at or steps), (look_at or steps, steps)):
-            self._between(
-                self._buffer, places, self._rest, way, self._passing, self._scalars, scalars_to,
-                pressure, begin, end, STRETCH_STEPS, record.reshape(-1), self._air,
-            )  # fmt: skip
-            if end == look_at:
-                self.seen = self.shape()
-        self._buffer[places] = rest_to[places]
-        self._rest, self._rest_to, self._scalars = rest_to, self._rest, scalars_to
-        self._fixed, self._fixed_to = self._fixed_to, self._fixed
+    def _glide(self, rows: np.ndarray, begin: int, end: int) -> None:
+        self._between(
+            self._buffer, self._rest, self._rest_to, self._way, self._passing, self._scalars, self._scalars_to,
+            self._pressure, begin, end, STRETCH_STEPS, rows, self._air,
+        )  # fmt: skip
+
+    def _aim(self, to: Goal) -> None:
+        """Have the numbers of ``to`` ready, or say why there are none."""
+        request, posture = to
+        rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
+        at = (posture.strain, request.activation.ta, posture.glottal_half_angle_rad, rest_angle)
+        longest_s = self._fill(
+            *map(float, (*at, request.convergence_angle_rad)), inferior_stiff(request.model), self.time_step_s,
+            packed(request.constants), self._rest_to, self._scalars_to, self._work,
+        )  # fmt: skip
+        if not SAFETY * longest_s >= self.time_step_s:
+            check_step(fold_of(request, posture), self.time_step_s)
+
+
+def check_step(fold: assemble.Fold, time_step_s: float) -> None:
+    """ParameterError for a fold that needs a shorter step."""
+    if longest_stable_step_s(fold) < time_step_s:
+        raise ParameterError(
+            "run.ny", f"{fold.nx}×{fold.ny} nodes need a shorter step than a gliding voice takes", "20×10 nodes"
+        )
+
+
+@lru_cache(maxsize=64)
+def inferior_stiff(model) -> bool:
+    """Whether the coupling is stiffest at the inferior edge."""
+    return model.resolved().coupling_gradient == "inferior_stiff"
+
+
+_numbers = attrgetter(*Constants._fields)
+
+
+@lru_cache(maxsize=64)
+def packed(constants: FoldConstants) -> Constants:
+    """The constants as the kernel takes them."""
+    return Constants(*map(float, _numbers(constants)))

@@ -10,14 +10,12 @@ import numpy as np
 from vfcore.acoustics.airways import airways_of, tract_of
 from vfcore.assemble import Fold
 from vfcore.errors import ParameterError
-from vfcore.gesture.glide import GlidingFold
+from vfcore.gesture.glide import GlidingFold, Goal, check_step
 from vfcore.gesture.lips import Lips
 from vfcore.gesture.resample import Resampler
 from vfcore.march import March
 from vfcore.params import DEFAULT_STEP_S, Simulation
-from vfcore.posture.solution import PostureSolution
-from vfcore.simulate import fold_of, posture_of, prepare
-from vfcore.stability import longest_stable_step_s
+from vfcore.simulate import posture_of, prepare
 
 BLOCK_STEPS = 350  # 10 ms at the default step: a whole number of audio samples (480)
 BLOCK_S = BLOCK_STEPS * DEFAULT_STEP_S
@@ -49,8 +47,8 @@ class Voice:
         march = March(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=beside)
         march.start_static(ready.static) if start.run.start == "static" else march.start_flat()
         self.request, self.posture = start, ready.posture
-        self._check(ready.fold)
-        self._gliding = GlidingFold(march)
+        check_step(ready.fold, DEFAULT_STEP_S)
+        self._gliding = GlidingFold(march, Goal(start, ready.posture))
         self._now_tract = tract_of(start)
         self._lips = Lips(self._now_tract, DEFAULT_STEP_S, BLOCK_STEPS, far)
         self._resampler = Resampler(1.0 / DEFAULT_STEP_S, BLOCK_STEPS)
@@ -72,34 +70,25 @@ class Voice:
 
     def advance(self, target: Simulation, look_at: int = 0) -> Block:
         """The next block; the numbers of the request reach ``target`` at its end. ``look_at``: a step of the block."""
-        fold, posture = self._fold_of(target)
+        goal = self._goal(target)
         tract = self._now_tract if target is self.request else tract_of(target)
-        record = self._gliding.advance(fold, target.subglottal_pressure_pa, BLOCK_STEPS, look_at)
+        record = self._gliding.advance(goal, target.subglottal_pressure_pa, BLOCK_STEPS, look_at)
         sound = self._lips.push(record[:, 1], tract)
         audio = self._resampler.push(sound[0])
-        self.request, self.posture, self._now_tract = target, posture, tract
+        self.request, self.posture, self._now_tract = target, goal.posture, tract
         self.blocks += 1
         return Block(record, sound[0], sound[1] if len(sound) > 1 else None, audio)
 
-    def _fold_of(self, target: Simulation) -> tuple[Fold, PostureSolution]:
+    def _goal(self, target: Simulation) -> Goal:
         now = self.request
         if target is now or _same_fold(target, now):
-            return self._gliding.fold, self.posture
+            return self._gliding.goal
         if (target.run, target.model) != (now.run, now.model):
             raise ParameterError("model", "cannot change while the voice goes on", "a new voice")
         same_posture = (target.activation, target.posture, target.posturing, target.constants.L_0_m) == (
             now.activation, now.posture, now.posturing, now.constants.L_0_m
         )  # fmt: skip
-        posture = self.posture if same_posture else posture_of(target)
-        fold = fold_of(target, posture)
-        self._check(fold)
-        return fold, posture
-
-    def _check(self, fold: Fold) -> None:
-        if longest_stable_step_s(fold) < DEFAULT_STEP_S:
-            raise ParameterError(
-                "run.ny", f"{fold.nx}×{fold.ny} nodes need a shorter step than a gliding voice takes", "20×10 nodes"
-            )
+        return Goal(target, self.posture if same_posture else posture_of(target))
 
 
 def _same_fold(a: Simulation, b: Simulation) -> bool:

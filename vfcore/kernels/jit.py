@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numba
 import platformdirs
+from numba.extending import register_jitable
 
 
 def data_directory() -> Path:
@@ -43,6 +44,17 @@ def kernel_directory() -> Path:
 FASTMATH = {"contract", "reassoc", "arcp", "nsz"}
 
 
+ERROR_MODEL = "numpy"
+
+
 def jit(function):
     """Compile ``function`` with the project's options."""
-    return numba.njit(nogil=True, cache=True, error_model="numpy", fastmath=FASTMATH)(function)
+    return numba.njit(nogil=True, cache=True, error_model=ERROR_MODEL, fastmath=FASTMATH)(function)
+
+
+def formula(function):
+    """``function`` as it stands for Python; compiled, with the same options, where compiled code calls it.
+
+    So that a formula which both need is written once, and Python keeps every bit of what it had without a compiler.
+    """
+    return register_jitable(error_model=ERROR_MODEL, fastmath=FASTMATH)(function)

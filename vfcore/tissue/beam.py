@@ -13,6 +13,7 @@ offset is a constant load. Second order in dx.
 import numpy as np
 
 from vfcore.constants import FoldConstants
+from vfcore.kernels.tissue import beam_ends
 from vfcore.tissue.coefficients import Coefficients
 
 
@@ -25,15 +26,10 @@ def beam_operator(
     """
     n = nx - 2
     dx = c.length_m / (nx - 1)
-    mu, turn = c.bending_stiffness_n_m2, c.stretch_ratio**1.5
-    anterior = constants.K_r_a_n_m * turn / (2 * dx)
-    posterior = constants.K_r_p_n_m * turn / (2 * dx)
-    bend = mu / dx**2
-    gain_0 = -(bend - anterior) / (bend + anterior)
-    offset_0 = (-constants.K_r_a_n_m * (theta_g - theta_0) - c.prestress_moment_n_m) / (bend + anterior)
-    gain_L = -(bend - posterior) / (bend + posterior)
-    offset_L = -c.prestress_moment_n_m / (bend + posterior)
-
+    mu = c.bending_stiffness_n_m2
+    gain_0, offset_0, gain_L, offset_L = beam_ends(
+        dx, mu, c.stretch_ratio, c.prestress_moment_n_m, constants.K_r_a_n_m, constants.K_r_p_n_m, theta_g, theta_0
+    )
     fourth = _banded(n, 6.0, -4.0, 1.0)
     fourth[0, 0] += gain_0
     fourth[-1, -1] += gain_L

@@ -1,0 +1,117 @@
+"""Where a glide leads: every fixed number of the buffer and of the step for one posture, in one call.
+
+A hand that moves asks for this a hundred times a second. Array by array in Python it takes ten times as long, and more
+where the processor was just woken for it. Twin: vfcore/assemble.py.
+
+The beam's implicit matrix M = I − dt²A/4 is symmetric with two diagonals on either side (vfcore/tissue/beam.py; the end
+moments change its corners only), so its inverse comes from M = L D Lᵀ with two diagonals in L, all columns at once:
+
+    D_i = m_ii − a_i² D_{i−1} − c_i² D_{i−2},   c_i = f/D_{i−2},   a_i = (e − c_i D_{i−2} a_{i−1})/D_{i−1}
+"""
+
+import math
+from functools import lru_cache
+
+from vfcore.kernels.jit import jit
+from vfcore.kernels.layout import Layout
+from vfcore.kernels.tissue import beam_ends, longest_step, prestrained, step_numbers
+
+
+@jit
+def invert_banded(diagonal, first, second, work, inverse, n, stride):
+    """Fill the first ``n`` columns of ``inverse``, n rows of ``stride`` numbers, with that of a symmetric matrix.
+
+    ``diagonal`` (n,), with ``first`` and ``second`` beside it everywhere; ``work`` (2·n,) is scratch, and ``diagonal``
+    is overwritten. No pivoting: for matrices that are positive definite.
+    """
+    for i in range(n):
+        a = c = 0.0
+        if i > 1:
+            c = second / diagonal[i - 2]
+        if i > 0:
+            a = (first - c * diagonal[i - 2] * work[i - 1] if i > 1 else first) / diagonal[i - 1]
+            diagonal[i] -= a * a * diagonal[i - 1]
+        if i > 1:
+            diagonal[i] -= c * c * diagonal[i - 2]
+        work[i], work[n + i] = a, c
+        row = i * stride
+        for k in range(n):
+            inverse[row + k] = 1.0 if k == i else 0.0
+        if i > 0:
+            for k in range(n):
+                inverse[row + k] -= a * inverse[row - stride + k]
+        if i > 1:
+            for k in range(n):
+                inverse[row + k] -= c * inverse[row - 2 * stride + k]
+    for i in range(n):
+        per = 1.0 / diagonal[i]
+        for k in range(n):
+            inverse[i * stride + k] *= per
+    for j in range(n):
+        i = n - 1 - j
+        row = i * stride
+        if i + 1 < n:
+            a = work[i + 1]
+            for k in range(n):
+                inverse[row + k] -= a * inverse[row + stride + k]
+        if i + 2 < n:
+            c = work[n + i + 2]
+            for k in range(n):
+                inverse[row + k] -= c * inverse[row + 2 * stride + k]
+
+
+@lru_cache(maxsize=32)
+def target_kernel(nx: int, ny: int, rotation: bool):
+    """The compiled ``fill`` for one grid."""
+    L = Layout(nx, ny)
+    STRIDE, FIRST, NB, BI, WORKED = L.stride, L.first, nx - 2, L.beam_inverse, L.worked
+    G, K = L.field("G") + L.anterior, L.row_numbers("K_coup")
+    LOAD, INV, WIDTH = (L.line(name) + FIRST for name in ("beam_load", "inverse_density", "width"))
+    turns = int(rotation)
+
+    @jit
+    def fill(strain, a_ta, theta_g, theta_0, convergence, inferior_stiff, dt, c, buffer, scalars, work):
+        """Write what depends on posture and tissue; return the longest stable step without margin, s.
+
+        ``theta_g`` is the clipped half-angle, ``c`` a kernels.tissue.Constants; ``buffer`` (Layout.size,) has been
+        filled for the same grid before, ``scalars`` (len(SCALARS),), ``work`` (3·(nx−2),) scratch. NaN where the fold
+        has no stiffness left: nothing that was written means anything then.
+        """
+        (
+            lam, length, b, T, G_t, eta_t, rho_s, J, N_b, mu, M_c, rho_l, _, _, _, _, _, _, _, axial
+        ) = prestrained(strain, a_ta, c)  # fmt: skip
+        if not (axial > 0.0 and T > 0.0 and mu > 0.0):
+            return math.nan
+        dx, dy = length / (nx - 1), b / (ny - 1)
+        opening, leaning = math.tan(theta_g), math.tan(convergence)
+        soft, stiff = c.K_coup_min_pa_m, c.K_coup_max_pa_m
+        for j in range(ny):
+            lean, row = j * dy * leaning, G + j * STRIDE
+            for i in range(nx):
+                buffer[row + i] = i * dx * opening + lean
+            from_stiff_edge = j / (ny - 1)
+            if inferior_stiff:
+                from_stiff_edge = 1.0 - from_stiff_edge
+            buffer[K + j] = stiff + (soft - stiff) * from_stiff_edge
+        for i in range(NB):
+            buffer[LOAD + i], buffer[INV + i], buffer[WIDTH + i] = 0.0, 1.0 / rho_s, dx
+        buffer[WIDTH + NB] = 0.5 * dx
+
+        gain_0, offset_0, gain_L, offset_L = beam_ends(dx, mu, lam, M_c, c.K_r_a_n_m, c.K_r_p_n_m, theta_g, theta_0)
+        pull, bend = N_b / dx**2 / rho_l, mu / dx**4 / rho_l
+        buffer[LOAD] = -bend * offset_0
+        buffer[LOAD + NB - 1] += -bend * offset_L
+        quarter = 0.25 * dt * dt
+        for i in range(NB):
+            work[i] = 1.0 + quarter * (2.0 * pull + 6.0 * bend)
+        work[0] += quarter * bend * gain_0
+        work[NB - 1] += quarter * bend * gain_L
+        first, second = -quarter * (pull + 4.0 * bend), quarter * bend
+        invert_banded(work[:NB], first, second, work[NB:], buffer[BI:], NB, WORKED)
+
+        numbers = step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c)
+        for k in range(len(numbers)):
+            scalars[k] = numbers[k]
+        return longest_step(turns > 0, dx, dy, T, G_t, eta_t, rho_s, J, b, rho_l, max(soft, stiff), c)
+
+    return fill
