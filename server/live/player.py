@@ -2,36 +2,30 @@
 
 import math
 import time
-from collections import deque
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import replace
 from typing import Any
-
-import numpy as np
 
 from vfcore.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 from vfcore.document import json_text
 from vfcore.errors import ParameterError, VocalisError
-from vfcore.gesture.approach import approach, differences, number_at
-from vfcore.gesture.contours import level_db
+from vfcore.gesture.approach import approach, differences, is_near, number_at
 from vfcore.gesture.gesture import MOVABLE, with_numbers
-from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Block, Voice
+from vfcore.gesture.voice import BLOCK_S, Voice
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict, simulation_to_dict
 from vfcore.version import MODEL_VERSION
 from vocalis_server.live.client import GOING_AWAY, Client, Left
 from vocalis_server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, merged, read_message
 from vocalis_server.live.recording import Recording
+from vocalis_server.live.shown import STATE_EVERY, Shown
 from vocalis_server.live.strobe import Strobe
 from vocalis_server.problems import problem_of
 
 FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
-STATE_EVERY = 8  # blocks: 12 pictures a second; a screen beside a played voice has no time for more
 CALM_BLOCKS = 25  # after so long without a movement the hand rests
 AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
-WAVE_EVERY = 14  # samples: 2.5 kHz is enough for a line on a screen
 PACE_GAIN = 0.035  # share of the buffer's error that a block makes good
 #: Numbers that are changed without reading the whole document again.
 QUICK = frozenset(path for path in MOVABLE if path.startswith("activation.") or "." not in path)
@@ -45,7 +39,6 @@ class Player:
         self._client = client
         self._hung_up = self._over = False
         self._wanted: Simulation = Simulation()
-        self._document: dict[str, Any] = simulation_to_dict(self._wanted)
         self._paths: tuple[str, ...] = ()
         self._voice: Voice | None = None
         self._strobe = Strobe()
@@ -54,7 +47,7 @@ class Player:
         self._lead_error_s = 0.0
         self._sequence = 0
         self._calm = 0
-        self._last: deque[Block] = deque(maxlen=STATE_EVERY)
+        self._shown = Shown()
         self._frame = SoundFrame()
         self.due_s = 0.0
 
@@ -77,11 +70,11 @@ class Player:
         if not self._over:
             try:
                 act()
+                self._client.flush()
             except Left:
                 self._over = True
             except VocalisError as error:
-                with suppress(Left):
-                    self._say({"type": "problem", "problem": problem_of(error), "over": True})
+                self._say({"type": "problem", "problem": problem_of(error), "over": True})
                 self._end()
         if not self._over:
             return True
@@ -113,10 +106,10 @@ class Player:
             self.due_s = now
 
     def _begin(self) -> None:
-        self._voice = Voice(self._wanted, far=False)
+        self._voice = Voice(self._wanted, played=True)
         self._paths = ()
         self._strobe = Strobe()
-        self._last.clear()
+        self._shown.clear()
 
     def _block(self) -> None:
         voice = self._voice
@@ -125,52 +118,44 @@ class Player:
         show = (self._sequence + 1) % STATE_EVERY == 0
         look_at = 0
         if show:
-            look_at = self._strobe.moment([block.record[:, 0] for block in self._last], STATE_EVERY * BLOCK_S)
+            look_at = self._strobe.moment(self._shown.area_m2, STATE_EVERY * BLOCK_S)
         block = voice.advance(target, look_at)
         if self._recording is not None:
             self._recording.take(voice.blocks, target)
         self._client.send_sound(self._frame.of(self._sequence, block.audio_pa))
         self._sequence += 1
-        self._last.append(block)
+        self._shown.take(block)
         if show:
             self._show()
+            self._shown.clear()
 
     def _target(self, now: Simulation) -> Simulation:
         """Where the next block leads to."""
-        if self._paths:
-            target = approach(now, self._wanted, self._paths)
-            self._paths = tuple(p for p in self._paths if number_at(target, p) != number_at(self._wanted, p))
-        else:
+        wanted = self._wanted
+        if not self._paths:
             target = now
-        return target if target.vowel == self._wanted.vowel else replace(target, vowel=self._wanted.vowel)
+        elif all(is_near(now, wanted, path) for path in self._paths):
+            self._paths = ()
+            return wanted
+        else:
+            target = approach(now, wanted, self._paths)
+            self._paths = tuple(p for p in self._paths if number_at(target, p) != number_at(wanted, p))
+        return target if target.vowel == wanted.vowel else replace(target, vowel=wanted.vowel)
 
     def _show(self) -> None:
         """What the page draws: the folds as the strobe saw them, and the waves since the last time."""
-        waves = np.concatenate([block.record[::WAVE_EVERY, :2] for block in self._last])
-        level = level_db(np.concatenate([block.lip_pressure_pa for block in self._last]))
-        voice, fold = self._voice, self._voice.fold
-        w, _ = voice.seen
-        self._say(
-            {
-                "type": "state",
-                "sequence": self._sequence,
-                "time_s": round(voice.blocks * BLOCK_S, 3),
-                "fo_hz": _number(self._strobe.fo_hz, 2),
-                "spl_lips_db": _number(level, 2),
-                "strain": voice.posture.strain,
-                "glottal_half_angle_rad": voice.posture.glottal_half_angle_rad,
-                "length_m": fold.coefficients.length_m,
-                "x_m": _list(fold.x_m, 6),
-                "superior_m": _list(w[0], 6),
-                "inferior_m": _list(w[-1], 6),
-                "medial_superior_m": _list(fold.medial_plane_m[0], 6),
-                "medial_inferior_m": _list(fold.medial_plane_m[-1], 6),
-                "area_mm2": _list(waves[:, 0] * 1e6, 2),
-                "flow_ml_s": _list(waves[:, 1] * 1e6, 1),
-                "wave_rate_hz": BLOCK_STEPS / WAVE_EVERY / BLOCK_S,
-                "recording_s": None if self._recording is None else round(self._recording.blocks * BLOCK_S, 2),
-            }
-        )
+        voice = self._voice
+        said = {
+            "type": "state",
+            "sequence": self._sequence,
+            "time_s": round(voice.blocks * BLOCK_S, 3),
+            "fo_hz": _number(self._strobe.fo_hz, 2),
+            "strain": voice.posture.strain,
+            "glottal_half_angle_rad": voice.posture.glottal_half_angle_rad,
+            "length_m": voice.posture.length_m,
+            "recording_s": None if self._recording is None else round(self._recording.blocks * BLOCK_S, 2),
+        }
+        self._client.send(self._shown.text(said, *voice.outline))
 
     def _listen(self) -> None:
         """Everything the client has said since the last block; the newest of each number wins."""
@@ -195,9 +180,10 @@ class Player:
             self._say({"type": "heard", "stamp": stamp, "sequence": self._sequence})
 
     def _want(self, change: dict[str, Any]) -> None:
-        document = merged(self._document, change)
         try:
-            wanted = self._changed(change) or simulation_from_dict(document)
+            wanted = self._changed(change)
+            if wanted is None:
+                wanted = simulation_from_dict(merged(simulation_to_dict(self._wanted), change))
             if self._voice is not None and (wanted.run, wanted.model) != (self._voice.request.run,
                                                                           self._voice.request.model):  # fmt: skip
                 raise ParameterError("model", "cannot change while the voice goes on", "a new connection")
@@ -206,7 +192,7 @@ class Player:
         except ParameterError as error:
             self._say({"type": "problem", "problem": problem_of(error), "over": False})
             return
-        self._document, self._wanted = document, wanted
+        self._wanted = wanted
         if self._voice is not None:
             self._paths = differences(self._voice.request, wanted)
             self._calm = 0
@@ -237,7 +223,3 @@ class Player:
 
 def _number(value: float, digits: int) -> float | None:
     return round(value, digits) if math.isfinite(value) else None
-
-
-def _list(values: np.ndarray, digits: int) -> list[float]:
-    return np.round(values, digits).tolist()

@@ -1,7 +1,6 @@
 """Which moment of a block to look at, so that a fast vibration is seen slowly: a strobe locked to f_o."""
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
@@ -23,14 +22,14 @@ class Strobe:
         self.fo_hz = math.nan
         self._phase = 0.0
 
-    def moment(self, areas_m2: Sequence[np.ndarray], since_s: float) -> int:
+    def moment(self, area_m2: np.ndarray, since_s: float) -> int:
         """The step of the next block, a multiple of STRETCH_STEPS, at which to look.
 
-        ``areas_m2``: glottal area of the last blocks; ``since_s``: the time since the last look.
+        ``area_m2``: glottal area of the last blocks; ``since_s``: the time since the last look.
         """
         self._phase = (self._phase + SLOW_HZ * since_s) % 1.0
-        area = np.concatenate(areas_m2)[-_WINDOW:] if areas_m2 else np.zeros(0)
-        self.fo_hz = pitch_hz(area[::-THINNED], 1.0 / (THINNED * DEFAULT_STEP_S))
+        area = area_m2[-_WINDOW:]
+        self.fo_hz = pitch_hz(np.ascontiguousarray(area[::-THINNED]), 1.0 / (THINNED * DEFAULT_STEP_S))
         if math.isnan(self.fo_hz):
             return BLOCK_STEPS
         cycle = area[-math.ceil(1.0 / (self.fo_hz * DEFAULT_STEP_S)) :]

@@ -54,14 +54,20 @@ _PATHS_OF = {
 def _same(now: Simulation, wanted: Simulation, part: str) -> bool:
     if not part:
         return False
-    if part == "constants" and now.posturing != wanted.posturing:
+    if part == "constants" and now.posturing is not wanted.posturing and now.posturing != wanted.posturing:
         return False
-    return getattr(now, part) == getattr(wanted, part)
+    one, other = getattr(now, part), getattr(wanted, part)
+    return one is other or one == other
 
 
 def approach(now: Simulation, wanted: Simulation, paths: tuple[str, ...]) -> Simulation:
     """The request one block later: every number of ``paths`` as near to ``wanted`` as a block allows."""
     return with_numbers(now, {path: _nearer(path, number_at(now, path), number_at(wanted, path)) for path in paths})
+
+
+def is_near(now: Simulation, wanted: Simulation, path: str) -> bool:
+    """Whether one block brings the number all the way."""
+    return abs(number_at(wanted, path) - number_at(now, path)) <= LARGEST_MOVE[path]
 
 
 def _nearer(path: str, value: float, goal: float) -> float:

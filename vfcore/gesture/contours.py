@@ -8,10 +8,11 @@ without sound.
 
 import numpy as np
 
+from vfcore.kernels.repetition import first_period, likeness
 from vfcore.measures.level import sound_pressure_level_db
 from vfcore.measures.measure import Missing
 from vfcore.measures.phonation import MIN_AREA_SWING_M2, MIN_RELATIVE_SWING, MIN_TRACKABLE
-from vfcore.measures.pitch import HIGHEST_RATE_HZ, Autocorrelation
+from vfcore.measures.pitch import HIGHEST_RATE_HZ, PEAK_RISE
 
 WINDOW_S = 0.060  # four cycles of the lowest voices of men, about 70 Hz
 NEARLY = 0.95
@@ -22,11 +23,10 @@ def pitch_hz(area_m2: np.ndarray, sample_rate_hz: float) -> float:
     swing = float(np.ptp(area_m2)) if len(area_m2) else 0.0
     if swing < MIN_AREA_SWING_M2 or swing < MIN_RELATIVE_SWING * float(area_m2.mean()):
         return float("nan")
-    peaks = Autocorrelation(area_m2).peaks(max(int(sample_rate_hz / HIGHEST_RATE_HZ), 2), len(area_m2) // 2)
-    highest = max((peak.height for peak in peaks), default=0.0)
-    if highest < MIN_TRACKABLE:
-        return float("nan")
-    return sample_rate_hz / next(peak.lag for peak in peaks if peak.height >= NEARLY * highest)
+    values = np.empty(len(area_m2) // 2 + 2)
+    likeness(area_m2, np.empty(len(area_m2)), values)
+    shortest = max(int(sample_rate_hz / HIGHEST_RATE_HZ), 2)
+    return sample_rate_hz / first_period(values, shortest, PEAK_RISE, MIN_TRACKABLE, NEARLY)
 
 
 def level_db(pressure_pa: np.ndarray) -> float:

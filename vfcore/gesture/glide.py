@@ -54,7 +54,7 @@ class GlidingFold:
         grid = (fold.nx, fold.ny, fold.rotation)
         self._advance, self._between, self._fill = step_kernel(*grid), glide_kernel(*grid), target_kernel(*grid)
         self._air = None if march.air is None else march.air.copy()
-        layout = Layout(fold.nx, fold.ny)
+        self._layout = layout = Layout(fold.nx, fold.ny)
         self._beyond = assemble.beyond(self._buffer, layout)
         self._w, self._w_b = assemble.membrane(self._buffer, fold), assemble.beam(self._buffer, fold)
         self._pressure = np.empty(0)
@@ -69,6 +69,11 @@ class GlidingFold:
         if self._fold is None:
             self._fold = fold_of(*self.goal)
         return self._fold
+
+    @property
+    def medial_m(self) -> np.ndarray:
+        """The medial plane (ny, nx) of ``goal``, m."""
+        return assemble.membranes(self._rest, self._layout, "G")[:, :, 0]
 
     def advance(
         self, to: Goal, pressure_pa: float, steps: int, look_at: int = 0, out: np.ndarray | None = None

@@ -14,16 +14,19 @@ from vfcore.kernels.response import respond
 LEFT_OUT_ENERGY = 1e-8
 
 
-class _Filter:
-    """One tract's responses: lip pressure and, where it is wanted, pressure at 0.3 m."""
+class Filter:
+    """One tract's responses: lip pressure and, where it is wanted, pressure at 0.3 m.
+
+    ``backward`` and ``memory`` are those of kernels/response.py, for each of them.
+    """
 
     def __init__(self, tract: Tract, time_step_s: float, block: int, far: bool):
         lip, _, away = response_at(tract, time_step_s)
         energy = np.cumsum(lip * lip)
         taps = int(np.searchsorted(energy, (1.0 - LEFT_OUT_ENERGY) * energy[-1])) + 1
         self.tract, self._block = tract, block
-        self._backward = [np.ascontiguousarray(row[:taps][::-1]) for row in ((lip, away) if far else (lip,))]
-        self._memory = [np.zeros(taps - 1 + block) for _ in self._backward]
+        self.backward = [np.ascontiguousarray(row[:taps][::-1]) for row in ((lip, away) if far else (lip,))]
+        self.memory = [np.zeros(taps - 1 + block) for _ in self.backward]
         self._silence = np.zeros(block)
         self.silent_blocks_left = -(-taps // block)
 
@@ -32,9 +35,17 @@ class _Filter:
         if flow is None:
             self.silent_blocks_left -= 1
             flow = self._silence
-        out = np.empty((len(self._backward), self._block))
-        for backward, memory, row in zip(self._backward, self._memory, out, strict=True):
+        out = np.empty((len(self.backward), self._block))
+        for backward, memory, row in zip(self.backward, self.memory, out, strict=True):
             respond(flow, memory, backward, row)
+        return out
+
+    def far(self, flow: np.ndarray) -> np.ndarray | None:
+        """The next block (block,) of pressure at 0.3 m alone, Pa; None where it is not wanted."""
+        if len(self.backward) < 2:
+            return None
+        out = np.empty(self._block)
+        respond(flow, self.memory[1], self.backward[1], out)
         return out
 
 
@@ -44,11 +55,16 @@ class Lips:
     def __init__(self, tract: Tract, time_step_s: float, block: int, far: bool = True):
         self._time_step_s, self._block, self._far = time_step_s, block, far
         self._now = self._filter(tract)
-        self._ringing: list[_Filter] = []
+        self._ringing: list[Filter] = []
         self._fade_in = (np.arange(block) + 0.5) / block
 
-    def _filter(self, tract: Tract) -> _Filter:
-        return _Filter(tract, self._time_step_s, self._block, self._far)
+    def _filter(self, tract: Tract) -> Filter:
+        return Filter(tract, self._time_step_s, self._block, self._far)
+
+    def steady(self, tract: Tract) -> Filter | None:
+        """The filter of ``tract`` while it is the only one that sounds."""
+        now = self._now
+        return now if not self._ringing and (tract is now.tract or tract == now.tract) else None
 
     def push(self, flow_m3_s: np.ndarray, tract: Tract) -> np.ndarray:
         """Pressure at the lips and, with ``far``, at 0.3 m, Pa, (1 or 2, block), for one block of flow."""

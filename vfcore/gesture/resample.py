@@ -6,7 +6,8 @@ import numpy as np
 
 from vfcore.audio import AUDIO_RATE_HZ, low_pass
 from vfcore.errors import ParameterError
-from vfcore.kernels.polyphase import resample
+from vfcore.gesture.lips import Filter
+from vfcore.kernels.polyphase import heard, resample
 
 
 class Resampler:
@@ -29,6 +30,16 @@ class Resampler:
 
     def push(self, block: np.ndarray) -> np.ndarray:
         """The next audio samples for one block."""
-        audio = np.empty(self._out)
+        audio = self.empty()
         resample(block, self._samples, self._branches, self._down, audio)
         return audio
+
+    def hear(self, flow: np.ndarray, lips: Filter, lip: np.ndarray, audio: np.ndarray) -> None:
+        """The same of what a tract makes of ``flow``, in one call: fill ``lip`` (block,) and ``audio``."""
+        heard(
+            flow, lips.memory[0], lips.backward[0], self._samples, self._branches, self._down, lip, audio
+        )  # fmt: skip
+
+    def empty(self) -> np.ndarray:
+        """Room for the audio of one block."""
+        return np.empty(self._out)

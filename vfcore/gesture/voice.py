@@ -13,6 +13,7 @@ from vfcore.errors import ParameterError
 from vfcore.gesture.glide import GlidingFold, Goal, check_step
 from vfcore.gesture.lips import Lips
 from vfcore.gesture.resample import Resampler
+from vfcore.kernels.layout import RECORD
 from vfcore.march import March
 from vfcore.params import DEFAULT_STEP_S, Simulation
 from vfcore.simulate import posture_of, prepare
@@ -34,12 +35,12 @@ class Block(NamedTuple):
 class Voice:
     """One voice from its onset on. ``advance(target)`` moves to ``target`` within a block.
 
-    The grid, the shear form and the step are those of ``start``; targets that differ in them are refused. ``far``:
-    whether the sound at 0.3 m is wanted. Raises
-    ParameterError, PostureError or DivergenceError.
+    The grid, the shear form and the step are those of ``start``; targets that differ in them are refused. ``played``:
+    without the sound at 0.3 m, and a block is good until the next one only, so that less memory is touched.
+    Raises ParameterError, PostureError or DivergenceError.
     """
 
-    def __init__(self, start: Simulation, far: bool = True):
+    def __init__(self, start: Simulation, played: bool = False):
         ready = prepare(start)
         if start.run.time_step_s is not None:
             raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
@@ -50,8 +51,10 @@ class Voice:
         check_step(ready.fold, DEFAULT_STEP_S)
         self._gliding = GlidingFold(march, Goal(start, ready.posture))
         self._now_tract = tract_of(start)
-        self._lips = Lips(self._now_tract, DEFAULT_STEP_S, BLOCK_STEPS, far)
+        self._lips = Lips(self._now_tract, DEFAULT_STEP_S, BLOCK_STEPS, far=not played)
         self._resampler = Resampler(1.0 / DEFAULT_STEP_S, BLOCK_STEPS)
+        self._played = played
+        self._rooms = self._new_rooms()
         self.blocks = 0
 
     @property
@@ -68,16 +71,35 @@ class Voice:
         """Displacement of the membrane (ny, nx) and the beam (nx,) when last looked at, m."""
         return self._gliding.seen
 
+    @property
+    def outline(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where the folds stand: x (nx,), the membrane's displacement when last looked at and the medial plane, both
+        (ny, nx), m."""
+        medial_m = self._gliding.medial_m
+        return np.linspace(0.0, self.posture.length_m, medial_m.shape[1]), self._gliding.seen[0], medial_m
+
     def advance(self, target: Simulation, look_at: int = 0) -> Block:
         """The next block; the numbers of the request reach ``target`` at its end. ``look_at``: a step of the block."""
         goal = self._goal(target)
         tract = self._now_tract if target is self.request else tract_of(target)
-        record = self._gliding.advance(goal, target.subglottal_pressure_pa, BLOCK_STEPS, look_at)
-        sound = self._lips.push(record[:, 1], tract)
-        audio = self._resampler.push(sound[0])
+        record, lip, audio = self._rooms if self._played else self._new_rooms()
+        self._gliding.advance(goal, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)
+        flow = record[:, 1]
+        steady = self._lips.steady(tract)
+        if steady is not None:
+            self._resampler.hear(flow, steady, lip, audio)
+            far = steady.far(flow)
+        else:
+            lip, *others = self._lips.push(flow, tract)
+            far = others[0] if others else None
+            audio = self._resampler.push(lip)
         self.request, self.posture, self._now_tract = target, goal.posture, tract
         self.blocks += 1
-        return Block(record, sound[0], sound[1] if len(sound) > 1 else None, audio)
+        return Block(record, lip, far, audio)
+
+    def _new_rooms(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where record, pressure at the lips and audio of a block go."""
+        return np.empty((BLOCK_STEPS, len(RECORD))), np.empty(BLOCK_STEPS), self._resampler.empty()
 
     def _goal(self, target: Simulation) -> Goal:
         now = self.request

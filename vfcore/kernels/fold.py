@@ -25,7 +25,7 @@ import math
 from functools import lru_cache
 
 from vfcore.kernels import airways, contact, flow, membrane
-from vfcore.kernels.jit import jit
+from vfcore.kernels.jit import inlined
 from vfcore.kernels.lanes import each, lane, load, maximum, minimum, spread, store, total, where
 from vfcore.kernels.layout import LANES, RECORD, Layout
 
@@ -72,7 +72,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     LOAD, INV, WIDTH, COLUMN = L.line("beam_load"), L.line("inverse_density"), L.line("width"), L.line("column")
     BI, WORKED, BEYOND = L.beam_inverse, L.worked, L.line("beyond")
 
-    @jit
+    @inlined
     def advance(buf, par, P_s_of, record_every, record, air=None):
         dt, dy, alpha_s = each(par, 0, P, W), each(par, 1, P, W), each(par, 2, P, W)
         half_rho_a, twelve_mu_a, T = each(par, 3, P, W), each(par, 4, P, W), each(par, 5, P, W)

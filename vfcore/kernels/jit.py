@@ -52,9 +52,19 @@ def jit(function):
     return numba.njit(nogil=True, cache=True, error_model=ERROR_MODEL, fastmath=FASTMATH)(function)
 
 
+def inlined(function):
+    """The same for a function whose sums other compiled functions contain: it becomes part of each of them.
+
+    Otherwise a call may end in a copy of it that was compiled apart, or not, by what else the process has compiled or
+    loaded before; the copies differ in the order of their sums, and two processes in the last bit.
+    """
+    options = {"nogil": True, "cache": True, "error_model": ERROR_MODEL, "fastmath": FASTMATH}
+    return numba.njit(forceinline=True, **options)(function)
+
+
 def formula(function):
-    """``function`` as it stands for Python; compiled, with the same options, where compiled code calls it.
+    """``function`` as it stands for Python; compiled, as ``inlined`` is, where compiled code calls it.
 
     So that a formula which both need is written once, and Python keeps every bit of what it had without a compiler.
     """
-    return register_jitable(error_model=ERROR_MODEL, fastmath=FASTMATH)(function)
+    return register_jitable(error_model=ERROR_MODEL, fastmath=FASTMATH, forceinline=True)(function)

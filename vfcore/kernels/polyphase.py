@@ -3,10 +3,11 @@
 y_m = Σ_k h[m·down − k·up] x_k  =  Σ_i h[p + i·up] x_{q−i},   m·down = q·up + p,  0 ≤ p < up
 """
 
-from vfcore.kernels.jit import jit
+from vfcore.kernels.jit import inlined, jit
+from vfcore.kernels.response import respond
 
 
-@jit
+@inlined
 def resample(block, samples, branches, down, out):
     """Fill ``out`` (n·up/down,) for the next ``block`` (n,).
 
@@ -25,3 +26,10 @@ def resample(block, samples, branches, down, out):
         for i in range(reach):
             total += branches[branch, i] * samples[newest + i]
         out[m] = total
+
+
+@jit
+def heard(flow, memory, backward, samples, branches, down, lip, audio):
+    """``respond`` and ``resample`` in one call: ``lip`` (n,) and ``audio`` (n·up/down,) for one block of ``flow``."""
+    respond(flow, memory, backward, lip)
+    resample(lip, samples, branches, down, audio)

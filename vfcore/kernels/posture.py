@@ -19,7 +19,7 @@ import math
 
 import numpy as np
 
-from vfcore.kernels.jit import jit
+from vfcore.kernels.jit import inlined, jit
 from vfcore.kernels.posture_equations import equilibrium
 
 OK, NO_REST, NO_POSTURE = range(3)  # status
@@ -30,7 +30,7 @@ FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.125, 0.25, 1e-9  # of the load
 MOVE = (1e-3, 1e-3, 0.1, 0.1, 0.1)  # m, m, rad, strain, strain: largest move of an accepted step
 
 
-@jit
+@inlined
 def solve_linear(A, b):
     """Overwrite ``b`` (5,) with A⁻¹ b by elimination with row pivots, spoiling A; return det A (0: no solution)."""
     determinant = 1.0
@@ -59,7 +59,7 @@ def solve_linear(A, b):
     return determinant
 
 
-@jit
+@inlined
 def relative_size(r, scale):
     """Largest |r_i|/scale_i; inf if any is not finite."""
     size = 0.0
@@ -71,7 +71,7 @@ def relative_size(r, scale):
     return size
 
 
-@jit
+@inlined
 def newton(u, activation, passive, muscles, joints, scale, work):
     """Improve ``u`` (5,) in place; return relative residual, iterations and det J there (0: singular or not reached).
 
@@ -90,7 +90,7 @@ def newton(u, activation, passive, muscles, joints, scale, work):
     return size, NEWTON_LIMIT, 0.0
 
 
-@jit
+@inlined
 def continue_leg(
     u, start, target, passive_start, passive_target, muscles, joints, scale, orientation, loads, point, work
 ):

@@ -23,7 +23,7 @@ Not validated: the equations themselves against anything but published values of
 import math
 from typing import NamedTuple
 
-from vfcore.kernels.jit import jit
+from vfcore.kernels.jit import inlined
 
 # Rows of ``muscles``; the first five are also the order of an activation vector.
 TA, CT, LCA, IA, PCA, LIG, MUC = range(7)
@@ -70,7 +70,7 @@ class Joints(NamedTuple):
     k_r_limit_rad: float
 
 
-@jit
+@inlined
 def muscle_force(m, strain, passive, active):
     """Force of one table row, N, and its derivative by strain; ``passive`` scales the passive part."""
     stress, slope = 0.0, 0.0
@@ -91,7 +91,7 @@ def muscle_force(m, strain, passive, active):
     return m[SECTION] * stress, m[SECTION] * slope
 
 
-@jit
+@inlined
 def stiffening(z, quadratic, quartic, limit):
     """1 + quadratic z² + quartic ⟨|z| − limit⟩⁴ and its derivative by z."""
     beyond = max(0.0, abs(z) - limit)
@@ -99,7 +99,7 @@ def stiffening(z, quadratic, quartic, limit):
     return value, 2.0 * quadratic * z + math.copysign(4.0 * quartic * beyond**3, z)
 
 
-@jit
+@inlined
 def equilibrium(u, activation, passive, muscles, j, r, jac):
     """Fill ``r`` (5,) and ``jac`` (5, 5) = ∂r/∂u; return ξ_02 (m, signed) and the fold strain ε̄."""
     xi, psi, theta, e_t, e_r = u[0], u[1], u[2], u[3], u[4]

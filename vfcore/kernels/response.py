@@ -4,10 +4,10 @@ y_i = Σ_k h_k x_{i−k}, summed as it stands. With some 1700 taps it takes no l
 where a processor wakes for every block it takes a fifth: it is one short loop over what lies together.
 """
 
-from vfcore.kernels.jit import jit
+from vfcore.kernels.jit import inlined
 
 
-@jit
+@inlined
 def respond(block, memory, backward, out):
     """Fill ``out`` (n,) for the next ``block`` (n,) of the signal.
 

@@ -12,12 +12,12 @@ moments change its corners only), so its inverse comes from M = L D Lᵀ with tw
 import math
 from functools import lru_cache
 
-from vfcore.kernels.jit import jit
+from vfcore.kernels.jit import inlined, jit
 from vfcore.kernels.layout import Layout
 from vfcore.kernels.tissue import beam_ends, longest_step, prestrained, step_numbers
 
 
-@jit
+@inlined
 def invert_banded(diagonal, first, second, work, inverse, n, stride):
     """Fill the first ``n`` columns of ``inverse``, n rows of ``stride`` numbers, with that of a symmetric matrix.
 

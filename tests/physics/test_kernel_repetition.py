@@ -1,0 +1,40 @@
+"""The period sought as a plain sum against the same law by transforms."""
+
+import numpy as np
+import pytest
+
+from vfcore.kernels.repetition import first_period, likeness
+from vfcore.measures.pitch import PEAK_RISE, Autocorrelation
+
+pytestmark = pytest.mark.kernel
+LEAST, NEARLY = 0.5, 0.95
+
+
+def twin(wave: np.ndarray, lag_min: int) -> float:
+    peaks = Autocorrelation(wave).peaks(lag_min, len(wave) // 2)
+    highest = max((peak.height for peak in peaks), default=0.0)
+    if highest < LEAST:
+        return float("nan")
+    return next(peak.lag for peak in peaks if peak.height >= NEARLY * highest)
+
+
+def test_likeness_and_period_are_those_of_the_transform():
+    """Tolerance 1e-12: rounding of sums of a few hundred products."""
+    rng, found = np.random.default_rng(4), []
+    for count in (4, 30, 61, 150, 211):
+        for noise in (0.0, 0.2, 3.0):
+            t = np.arange(count)
+            wave = 1.0 + np.maximum(0.0, np.sin(t / rng.uniform(2.0, 9.0))) + noise * rng.random(count)
+            values = np.empty(count // 2 + 2)
+            likeness(wave, np.empty(count), values)
+            np.testing.assert_allclose(values, Autocorrelation(wave).values, rtol=0, atol=1e-12)
+            lag = first_period(values, 2, PEAK_RISE, LEAST, NEARLY)
+            assert lag == pytest.approx(twin(wave, 2), rel=1e-12, nan_ok=True)
+            found.append(np.isnan(lag))
+    assert 2 < sum(found) < len(found) - 2, "some have a period and some have none"
+
+
+def test_a_wave_that_does_not_change_is_like_nothing():
+    values = np.empty(12)
+    likeness(np.full(20, 3.0), np.empty(20), values)
+    assert not values.any()
