@@ -144,6 +144,8 @@ def with_numbers(base: Simulation, values: Mapping[str, float]) -> Simulation:
         if part in parts:
             old = getattr(base, part)
             changes[part] = PostureOverride(**parts[part]) if old is None else dataclasses.replace(old, **parts[part])
+    if changes.keys() == {"activation"} and "constants" not in parts:
+        return base.with_activation(changes["activation"])
     if constants := parts.get("constants"):
         fold = {name: value for name, value in constants.items() if name in FOLD_NAMES}
         muscles = {name: value for name, value in constants.items() if name not in FOLD_NAMES}

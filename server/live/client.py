@@ -47,6 +47,9 @@ class Client:
         self._meter = Meter(MESSAGES_PER_S)
         self._until_s = 0.0
 
+    def fileno(self) -> int:
+        return self._socket.fileno()
+
     def wait(self, seconds: float) -> None:
         """Until the client has said something, for so long at most."""
         self.flush()

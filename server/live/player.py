@@ -26,6 +26,12 @@ FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
 CALM_BLOCKS = 25  # after so long without a movement the hand rests
 AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
+EARLY_S = 0.002  # a voice that is due so soon is played along with the one before
+#: A word of the hand is followed by the blocks that are due before its next one, at 60 a second. They sound when they
+#: would have, and have heard as much: what the hand says next comes after the moment when they were due.
+AHEAD_S = 0.017
+PAUSE_S = 0.012  # a hand that says more than 60 words a second is heard when so much has passed
+MOST_AT_ONCE = 4  # blocks a turn, when a voice is late: the others wait
 PACE_GAIN = 0.035  # share of the buffer's error that a block makes good
 #: Numbers that are changed without reading the whole document again.
 QUICK = frozenset(path for path in MOVABLE if path.startswith("activation.") or "." not in path)
@@ -50,13 +56,36 @@ class Player:
         self._shown = Shown()
         self._frame = SoundFrame()
         self.due_s = 0.0
+        self._hears_from_s = 0.0
+        self._moved = False  # since the last turn
+
+    def is_due(self, now_s: float) -> bool:
+        """Whether it is time for a turn: for the next block, or because the hand has moved."""
+        return self.wakes_s <= now_s + EARLY_S
+
+    @property
+    def wakes_s(self) -> float:
+        """When it will be due if nobody says anything more."""
+        return min(self.due_s, self._hears_from_s) if self._moved else self.due_s
+
+    @property
+    def listens(self) -> bool:
+        """Whether its client is there to speak."""
+        return not self._over
+
+    def fileno(self) -> int:
+        return self._client.fileno()
 
     def prepare(self) -> bool:
         """Hear what is wanted first and make that voice, which may compile; False when all is over."""
         return self._goes_on(self._first_words)
 
+    def hear(self) -> bool:
+        """Take what the client has said; False when all is over."""
+        return self._goes_on(self._listen)
+
     def turn(self) -> bool:
-        """Make the block that is due; False when all is over. A voice that breaks down says why."""
+        """Make the blocks that are due; False when all is over. A voice that breaks down says why."""
         return self._goes_on(self._next)
 
     def hang_up(self) -> None:
@@ -70,7 +99,8 @@ class Player:
         if not self._over:
             try:
                 act()
-                self._client.flush()
+                if not self._moved:  # or it goes with the block that follows at once
+                    self._client.flush()
             except Left:
                 self._over = True
             except VocalisError as error:
@@ -78,6 +108,7 @@ class Player:
                 self._end()
         if not self._over:
             return True
+        self._moved = False
         self.due_s = time.monotonic() + BLOCK_S
         return self._client.lingers()
 
@@ -96,12 +127,19 @@ class Player:
     def _next(self) -> None:
         if self._hung_up:
             return self._end(GOING_AWAY, "the server stops")
-        self._listen()
-        for _ in range(AT_REST if self._calm > CALM_BLOCKS else 1):
+        now = time.monotonic()
+        until_s = now + EARLY_S
+        if self._moved:
+            until_s = now + AHEAD_S
+            self._moved, self._hears_from_s = False, now + PAUSE_S
+        elif self._calm > CALM_BLOCKS:
+            until_s += (AT_REST - 1) * BLOCK_S
+        for _ in range(MOST_AT_ONCE):
+            if self.due_s > until_s:
+                break
             self._block()
             self.due_s += BLOCK_S - PACE_GAIN * self._lead_error_s
             self._lead_error_s *= 1.0 - PACE_GAIN
-        now = time.monotonic()
         if self.due_s < now - LARGEST_LAG_S:
             self.due_s = now
 
@@ -158,7 +196,7 @@ class Player:
         self._client.send(self._shown.text(said, *voice.outline))
 
     def _listen(self) -> None:
-        """Everything the client has said since the last block; the newest of each number wins."""
+        """Everything the client has said since the last time; the newest of each number wins."""
         change: dict[str, Any] = {}
         record: bool | None = None
         stamp: int | None = None
@@ -180,21 +218,22 @@ class Player:
             self._say({"type": "heard", "stamp": stamp, "sequence": self._sequence})
 
     def _want(self, change: dict[str, Any]) -> None:
+        voice = self._voice
         try:
             wanted = self._changed(change)
             if wanted is None:
                 wanted = simulation_from_dict(merged(simulation_to_dict(self._wanted), change))
-            if self._voice is not None and (wanted.run, wanted.model) != (self._voice.request.run,
-                                                                          self._voice.request.model):  # fmt: skip
-                raise ParameterError("model", "cannot change while the voice goes on", "a new connection")
-            if self._voice is not None and (wanted.posture is None) != (self._wanted.posture is None):
-                raise ParameterError("posture", "cannot come or go while the voice goes on", "a new connection")
+                if voice is not None and (wanted.run, wanted.model) != (voice.request.run, voice.request.model):
+                    raise ParameterError("model", "cannot change while the voice goes on", "a new connection")
+                if voice is not None and (wanted.posture is None) != (self._wanted.posture is None):
+                    raise ParameterError("posture", "cannot come or go while the voice goes on", "a new connection")
         except ParameterError as error:
             self._say({"type": "problem", "problem": problem_of(error), "over": False})
             return
         self._wanted = wanted
-        if self._voice is not None:
-            self._paths = differences(self._voice.request, wanted)
+        if voice is not None:
+            self._moved = True
+            self._paths = differences(voice.request, wanted)
             self._calm = 0
 
     def _changed(self, change: dict[str, Any]) -> Simulation | None:

@@ -6,7 +6,7 @@ import pytest
 import vfcore
 from vfcore import assemble
 from vfcore.errors import ParameterError
-from vfcore.gesture.glide import GlidingFold, Goal, inferior_stiff, packed
+from vfcore.gesture.glide import GlidingFold, Goal, packed
 from vfcore.kernels.layout import SCALARS, Layout
 from vfcore.kernels.target import invert_banded, target_kernel
 from vfcore.march import March
@@ -24,9 +24,10 @@ def filled(request: Simulation) -> tuple[np.ndarray, np.ndarray, float]:
     buffer = assemble.new_buffer(at_first.fold, DEFAULT_STEP_S)
     scalars, work = np.empty(len(SCALARS)), np.empty(3 * request.run.nx)
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
+    inferior_stiff = request.model.resolved().coupling_gradient == "inferior_stiff"
     longest_s = target_kernel(request.run.nx, request.run.ny, ready.fold.rotation)(
         ready.posture.strain, request.activation.ta, ready.posture.glottal_half_angle_rad, rest_angle,
-        request.convergence_angle_rad, inferior_stiff(request.model), DEFAULT_STEP_S, packed(request.constants),
+        request.convergence_angle_rad, inferior_stiff, DEFAULT_STEP_S, packed(request.constants),
         buffer, scalars, work,
     )  # fmt: skip
     return buffer, scalars, longest_s

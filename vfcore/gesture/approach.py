@@ -20,9 +20,12 @@ def _limits() -> dict[str, float]:
 LARGEST_MOVE = _limits()
 
 
+_GROUP_AND_NAME = {path: (path.rpartition(".")[0], path.rpartition(".")[2]) for path in MOVABLE}
+
+
 def number_at(request: Simulation, path: str) -> float | None:
     """The number at a dotted path of a request; None for a posture that is not given."""
-    group, _, name = path.rpartition(".")
+    group, name = _GROUP_AND_NAME[path]
     if not group:
         return getattr(request, name)
     if group == "constants" and not hasattr(request.constants, name):

@@ -10,7 +10,6 @@ Between the folds at both ends of a block every fixed number of the buffer moves
 STRETCH_STEPS; the middle of each is used, so the error is second order in it.
 """
 
-from functools import lru_cache
 from operator import attrgetter
 from typing import NamedTuple
 
@@ -25,7 +24,7 @@ from vfcore.kernels.layout import RECORD, Layout
 from vfcore.kernels.target import target_kernel
 from vfcore.kernels.tissue import Constants
 from vfcore.march import March, diverged
-from vfcore.params import Simulation
+from vfcore.params import Model, Simulation
 from vfcore.posture.solution import PostureSolution
 from vfcore.simulate import fold_of
 from vfcore.stability import SAFETY, longest_stable_step_s
@@ -61,6 +60,8 @@ class GlidingFold:
         self._rest, self._rest_to = (assemble.new_buffer(fold, self.time_step_s) for _ in range(2))
         self._scalars_to, self._passing = self._scalars.copy(), np.empty_like(self._scalars)
         self._way, self._work = np.empty(layout.size), np.empty(3 * fold.nx)
+        self._constants: FoldConstants | None = None
+        self._model: Model | None = None
         self.seen = self.shape()
 
     @property
@@ -132,10 +133,14 @@ class GlidingFold:
         """Have the numbers of ``to`` ready, or say why there are none."""
         request, posture = to
         rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
+        if request.constants is not self._constants or request.model is not self._model:
+            self._constants, self._model = request.constants, request.model
+            self._packed = packed(request.constants)
+            self._inferior_stiff = request.model.resolved().coupling_gradient == "inferior_stiff"
         at = (posture.strain, request.activation.ta, posture.glottal_half_angle_rad, rest_angle)
         longest_s = self._fill(
-            *map(float, (*at, request.convergence_angle_rad)), inferior_stiff(request.model), self.time_step_s,
-            packed(request.constants), self._rest_to, self._scalars_to, self._work,
+            *map(float, (*at, request.convergence_angle_rad)), self._inferior_stiff, self.time_step_s,
+            self._packed, self._rest_to, self._scalars_to, self._work,
         )  # fmt: skip
         if not SAFETY * longest_s >= self.time_step_s:
             check_step(fold_of(request, posture), self.time_step_s)
@@ -149,16 +154,9 @@ def check_step(fold: assemble.Fold, time_step_s: float) -> None:
         )
 
 
-@lru_cache(maxsize=64)
-def inferior_stiff(model) -> bool:
-    """Whether the coupling is stiffest at the inferior edge."""
-    return model.resolved().coupling_gradient == "inferior_stiff"
-
-
 _numbers = attrgetter(*Constants._fields)
 
 
-@lru_cache(maxsize=64)
 def packed(constants: FoldConstants) -> Constants:
     """The constants as the kernel takes them."""
     return Constants(*map(float, _numbers(constants)))

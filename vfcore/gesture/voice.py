@@ -81,7 +81,7 @@ class Voice:
     def advance(self, target: Simulation, look_at: int = 0) -> Block:
         """The next block; the numbers of the request reach ``target`` at its end. ``look_at``: a step of the block."""
         goal = self._goal(target)
-        tract = self._now_tract if target is self.request else tract_of(target)
+        tract = self._now_tract if _same_tract(target, self.request) else tract_of(target)
         record, lip, audio = self._rooms if self._played else self._new_rooms()
         self._gliding.advance(goal, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)
         flow = record[:, 1]
@@ -111,6 +111,11 @@ class Voice:
             now.activation, now.posture, now.posturing, now.constants.L_0_m
         )  # fmt: skip
         return Goal(target, self.posture if same_posture else posture_of(target))
+
+
+def _same_tract(a: Simulation, b: Simulation) -> bool:
+    """Whether the air above the glottis is surely the same."""
+    return a is b or (a.vowel == b.vowel and a.constants is b.constants and a.model is b.model)
 
 
 def _same_fold(a: Simulation, b: Simulation) -> bool:

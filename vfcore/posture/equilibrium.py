@@ -8,6 +8,7 @@ The answer depends on activation and constants alone: every solve starts from th
 import math
 from collections.abc import Sequence
 from functools import lru_cache
+from operator import attrgetter
 
 import numpy as np
 
@@ -59,9 +60,21 @@ def _solved(activations: np.ndarray, constants: PosturingConstants) -> tuple[np.
 
 @lru_cache(maxsize=64)
 def _packed(constants: PosturingConstants) -> tuple[np.ndarray, Joints, np.ndarray]:
-    """What the kernel takes of a set: made once, for a voice that moves asks a hundred times a second."""
+    """What the kernel takes of a set."""
     muscles, joints = pack(constants)
     return muscles, joints, load_scale(muscles, joints)
+
+
+def _packed_last(constants: PosturingConstants) -> tuple[np.ndarray, Joints, np.ndarray]:
+    """The same without a look at every number, while one set is asked for again and again, as by a voice that moves."""
+    global _last
+    if _last[0] is not constants:
+        _last = (constants, _packed(constants))
+    return _last[1]
+
+
+_last: tuple = (None, None)
+_levels = attrgetter(*MUSCLE_ORDER)
 
 
 def solve_posture(
@@ -71,7 +84,10 @@ def solve_posture(
 
     Raises PostureError where no root is connected to rest, ParameterError for a fold length out of range.
     """
-    (found,) = solve_each_posture([activation], constants, fold_length_m)
+    check_number("fold_length_m", fold_length_m, 1e-3, 0.1, "m")
+    roots, outcomes, status = np.empty((1, 5)), np.empty((1, 4)), np.empty(1, dtype=np.int64)
+    solve_postures(np.array((_levels(activation),), np.float64), *_packed_last(constants), roots, outcomes, status)
+    found = _solution(activation, constants, fold_length_m, roots[0].tolist(), outcomes[0].tolist(), int(status[0]))
     if isinstance(found, PostureError):
         raise found
     return found
