@@ -51,7 +51,8 @@ async def play(url: str, seconds: float, moving: bool, heard: Heard) -> None:
     """One client: takes sound for a while, moves muscles or not, and counts what it would have missed."""
     async with connect(f"{url.replace('http', 'ws')}/api/v1/live", max_size=None, compression=None) as socket:
         began = time.monotonic()
-        moves = asyncio.create_task(_move(socket)) if moving else None
+        report: dict[str, float] = {}  # rides on the next movement, as the page's does
+        moves = asyncio.create_task(_move(socket, report)) if moving else None
         ends_s, low_s, reported = 0.0, math.inf, began  # when the sound that has come will have been played
         try:
             while (now := time.monotonic()) < began + seconds:
@@ -69,21 +70,23 @@ async def play(url: str, seconds: float, moving: bool, heard: Heard) -> None:
                 if now > reported + REPORT_S:
                     if counted:
                         heard.dips_s.append(low_s)
-                    message = {"buffer_ms": max(0.0, 1e3 * low_s), "wanted_buffer_ms": 1e3 * WANTED_S}
-                    await socket.send(json.dumps(message))
+                    report |= {"buffer_ms": max(0.0, 1e3 * low_s), "wanted_buffer_ms": 1e3 * WANTED_S}
+                    if not moving:
+                        await socket.send(json.dumps(report))
                     low_s, reported = math.inf, now
         finally:
             if moves:
                 moves.cancel()
 
 
-async def _move(socket) -> None:
+async def _move(socket, report: dict[str, float]) -> None:
     """A hand that never rests, on two muscles."""
     began = time.monotonic()
     while True:
         phase = 2 * math.pi * 0.7 * (time.monotonic() - began)
         activation = {"ct": round(0.5 + 0.4 * math.sin(phase), 3), "ta": round(0.4 - 0.3 * math.sin(phase), 3)}
-        await socket.send(json.dumps({"activation": activation}))
+        await socket.send(json.dumps({"activation": activation} | report))
+        report.clear()
         await asyncio.sleep(HAND_S)
 
 

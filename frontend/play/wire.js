@@ -7,15 +7,17 @@
  * {ended: reason} once.
  */
 const HEADER = 4; // uint32 sequence number
+const REPORT_WAITS_MS = 25;
 
 let socket = null;
 let line = null;
 const unsaid = []; // until the socket is open
+let report = null; // of the worklet, until it is said: with the next movement, or alone when none comes
 let heard = null; // the newest movement the server has heard: {stamp, sequence} of the first block that follows it
 
 self.onmessage = ({ data: { open, send, close } }) => {
   if (open) begin(open);
-  else if (send) say(send);
+  else if (send) say(withReport(send));
   else if (close) {
     socket.onclose = null;
     socket.close();
@@ -51,8 +53,15 @@ function play(frame) {
   if (follows) heard = null;
 }
 
-function fromWorklet({ mark, at, ...report }) {
+function fromWorklet({ mark, at, ...buffer }) {
   if (mark !== undefined) return self.postMessage({ sounded: { stamp: mark, at } });
-  say({ buffer_ms: report.bufferMs, wanted_buffer_ms: report.wantedMs });
-  self.postMessage({ report });
+  report = { buffer_ms: buffer.bufferMs, wanted_buffer_ms: buffer.wantedMs };
+  setTimeout(() => report && say(withReport({})), REPORT_WAITS_MS); // every word of its own wakes the server
+  self.postMessage({ report: buffer });
+}
+
+function withReport(message) {
+  const both = { ...message, ...report };
+  report = null;
+  return both;
 }

@@ -27,9 +27,12 @@ LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
 CALM_BLOCKS = 25  # after so long without a movement the hand rests
 AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
 EARLY_S = 0.002  # a voice that is due so soon is played along with the one before
-#: A word of the hand is followed by the blocks that are due before its next one, at 60 a second. They sound when they
-#: would have, and have heard as much: what the hand says next comes after the moment when they were due.
-AHEAD_S = 0.017
+#: A word of the hand is followed by the blocks that are due before its next one. They sound when they would have, and
+#: have heard as much: what the hand says next comes after the moment when they were due. When that will be is told from
+#: its last words, within these bounds.
+WORDS_S = (0.008, 0.022)
+FOLLOWS = 0.1  # share of the newest interval in what is expected of the next one
+LATE_S = 0.001  # by which a word may be late
 PAUSE_S = 0.012  # a hand that says more than 60 words a second is heard when so much has passed
 MOST_AT_ONCE = 4  # blocks a turn, when a voice is late: the others wait
 PACE_GAIN = 0.035  # share of the buffer's error that a block makes good
@@ -58,6 +61,7 @@ class Player:
         self.due_s = 0.0
         self._hears_from_s = 0.0
         self._moved = False  # since the last turn
+        self._heard_s, self._words_s = 0.0, 1 / 60  # the last word, and the time between two
 
     def is_due(self, now_s: float) -> bool:
         """Whether it is time for a turn: for the next block, or because the hand has moved."""
@@ -130,8 +134,10 @@ class Player:
         now = time.monotonic()
         until_s = now + EARLY_S
         if self._moved:
-            until_s = now + AHEAD_S
             self._moved, self._hears_from_s = False, now + PAUSE_S
+            self._words_s += FOLLOWS * (min(max(now - self._heard_s, WORDS_S[0]), WORDS_S[1]) - self._words_s)
+            self._heard_s = now
+            until_s = now + self._words_s + LATE_S
         elif self._calm > CALM_BLOCKS:
             until_s += (AT_REST - 1) * BLOCK_S
         for _ in range(MOST_AT_ONCE):

@@ -11,8 +11,11 @@ from vfcore.kernels.decimals import ROOM, write_decimals
 
 STATE_EVERY = 8  # blocks: 12 pictures a second; a screen beside a played voice has no time for more
 WAVE_EVERY = 14  # samples: 2.5 kHz is enough for a line on a screen
-#: Factor and decimals of what is drawn: 1 µm, 0.01 mm², 0.1 ml/s.
-LENGTH, AREA, FLOW = (1.0, 6), (1e6, 2), (1e6, 1)
+WAVE_RATE_HZ = BLOCK_STEPS / WAVE_EVERY / BLOCK_S
+#: Factor and decimals of what is drawn: 1 µm; 0.01 mm² and 0.01 ml/s.
+LENGTH, WAVE = (1.0, 6), (1e6, 2)
+EDGES = ("x_m", "superior_m", "inferior_m", "medial_superior_m", "medial_inferior_m")
+WAVES = ("area_mm2", "flow_ml_s")
 
 
 class Shown:
@@ -42,20 +45,17 @@ class Shown:
         """A picture as JSON: ``said``, the waves, and the folds at ``x_m`` (nx,): displacement and medial plane, both
         (ny, nx), at their edges."""
         level = level_db(self._lip[: self._count].reshape(-1))
-        said = said | {
-            "spl_lips_db": round(level, 2) if math.isfinite(level) else None,
-            "wave_rate_hz": BLOCK_STEPS / WAVE_EVERY / BLOCK_S,
-        }
-        drawn = {
-            "x_m": self._list(x_m, *LENGTH),
-            "superior_m": self._list(w_m[0], *LENGTH),
-            "inferior_m": self._list(w_m[-1], *LENGTH),
-            "medial_superior_m": self._list(medial_m[0], *LENGTH),
-            "medial_inferior_m": self._list(medial_m[-1], *LENGTH),
-            "area_mm2": self._list(self.area_m2[::WAVE_EVERY], *AREA),
-            "flow_ml_s": self._list(self._flow[: self._count].reshape(-1), *FLOW),
-        }
-        return json_text(said)[:-1] + "".join(f', "{name}": {numbers}' for name, numbers in drawn.items()) + "}"
+        said["spl_lips_db"] = round(level, 2) if math.isfinite(level) else None
+        said["wave_rate_hz"] = WAVE_RATE_HZ
+        edges = np.concatenate((x_m, w_m[0], w_m[-1], medial_m[0], medial_m[-1]))
+        waves = np.concatenate((self.area_m2[::WAVE_EVERY], self._flow[: self._count].reshape(-1)))
+        return json_text(said)[:-1] + self._lists(EDGES, edges, *LENGTH) + self._lists(WAVES, waves, *WAVE) + "}"
+
+    def _lists(self, names: tuple[str, ...], values: np.ndarray, factor: float, decimals: int) -> str:
+        """``values`` in equal parts, each under its name."""
+        text = self._list(values, factor, decimals)[1:-1].split(",")
+        part = len(text) // len(names)
+        return "".join(f', "{name}": [{",".join(text[k * part : (k + 1) * part])}]' for k, name in enumerate(names))
 
     def _list(self, values: np.ndarray, factor: float, decimals: int) -> str:
         if len(self._text) < len(values) * ROOM + 2:

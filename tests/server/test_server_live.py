@@ -69,6 +69,8 @@ def test_the_block_that_first_follows_a_stamped_movement_is_named(stage):
         heard.send(subglottal_pressure_pa=0, stamp=3)
         heard.send(subglottal_pressure_pa=1, stamp=4)
         heard.listen(5, until="heard")
+        if heard.said[-1]["stamp"] == 3:  # it was heard before the other came
+            heard.listen(5, until="heard")
         answer = heard.said[-1]
         assert (answer["stamp"], answer["sequence"]) == (4, heard.sequence[-1] + 1), "the newest, before its block"
         heard.listen(1.0)
