@@ -3,8 +3,9 @@
  * never by a click.
  *
  * What is kept in step is the low water: the least that waited since the last report, the middle of the last few reports,
- * for a dip that has passed must not call for more. It is wanted where the deepest dip seen lately would still leave
- * SAFETY_MS; the server sends a little faster or slower until it is there.
+ * for a dip that has passed must not call for more. It is wanted where the deepest dip of the last half minute would
+ * still leave SAFETY_MS, and never below LEAST_MS: a machine whose threads wake late does so every ten seconds or so, and
+ * a buffer that has forgotten it by then runs dry. The server sends a little faster or slower until it is there.
  *
  * The node's own port takes {line}: the port that blocks come through as {samples, mark}, and that reports
  * {bufferMs, wantedMs, gaps, played} and {mark, at} (the context's time at which a marked block begins) go back to.
@@ -12,13 +13,14 @@
 
 const FADE = 240; // samples, 5 ms at 48 kHz
 const CAPACITY = 1 << 15;
-const LEAST_MS = 6;
-const FIRST_MS = 32; // what a page that paints on two cores needs; in calm it shrinks
+const LEAST_MS = 30; // what a page that paints on two cores needs even in calm
+const FIRST_MS = 34;
 const MOST_MS = 200;
-const SAFETY_MS = 4;
-const GROW_MS = 10; // after a gap: how deep the dip would have been, nobody knows
-const SHRINK_MS = 5;
-const WATCH_REPORTS = 80; // 5 s: the stretch whose deepest dip counts
+const SAFETY_MS = 6;
+const GROW_MS = 16; // after a gap: how deep the dip would have been, nobody knows
+const SHRINK_MS = 4;
+const WATCH_REPORTS = 80; // 5 s: a stretch of which the deepest dip is kept
+const REMEMBERED = 6; // stretches
 const MIDDLE_OF = 5; // reports
 const REPORT_EVERY = 24; // quanta of 128 samples: 64 ms
 
@@ -36,6 +38,7 @@ class Stream extends AudioWorkletProcessor {
     this.low = Infinity;
     this.lows = [];
     this.deepestMs = 0;
+    this.dips = []; // the deepest of the stretches before
     this.reports = 0;
     this.gaps = 0;
     this.played = 0;
@@ -88,10 +91,11 @@ class Stream extends AudioWorkletProcessor {
     const bufferMs = this.lows.toSorted((a, b) => a - b)[this.lows.length >> 1];
     this.line.postMessage({ bufferMs, wantedMs: this.wantedMs, gaps: this.gaps, played: this.played / sampleRate });
     this.deepestMs = Math.max(this.deepestMs, this.wantedMs - lowMs);
-    const enough = Math.max(LEAST_MS, this.deepestMs + SAFETY_MS);
-    if (enough > this.wantedMs) this.wantedMs = Math.min(MOST_MS, enough);
+    const enough = Math.min(MOST_MS, Math.max(LEAST_MS, Math.max(this.deepestMs, ...this.dips) + SAFETY_MS));
+    this.wantedMs = Math.max(this.wantedMs, enough);
     if (++this.reports % WATCH_REPORTS) return;
     this.wantedMs = Math.max(enough, this.wantedMs - SHRINK_MS);
+    this.dips = [...this.dips.slice(1 - REMEMBERED), this.deepestMs];
     this.deepestMs = 0;
   }
 }

@@ -1,0 +1,57 @@
+"""How much sound the page keeps waiting: more after a dip, for half a minute, and less again in calm."""
+
+from pathlib import Path
+
+import pytest
+
+WORKLET = Path(__file__).parents[2] / "frontend/audio/stream-worklet.js"
+#: The worklet's own code, played for as long as ``story`` says without a loudspeaker, so much sound being there that
+#: what is wanted and a block more waits, but for one dip a part. Answers what was wanted at the end of each, and gaps.
+PLAY = """story => {
+  let Player;
+  const sampleRate = 48000, currentTime = 0;
+  class AudioWorkletProcessor { port = { postMessage() {} }; }
+  const registerProcessor = (_, found) => { Player = found; };
+  %s
+  const stream = new Player();
+  stream.line = { postMessage() {} };
+  const out = new Float32Array(128);
+  const fill = (ms) => {
+    while (stream.write - stream.read < ms * 48) stream.take({ samples: new Float32Array(480) });
+  };
+  return story.map(([seconds, dipMs]) => {
+    for (let k = 0; k < seconds * 375; k++) {
+      fill(stream.wantedMs + 10);
+      if (k === 40 && dipMs) stream.read = stream.write - 48 * Math.max(0, Math.round(stream.wantedMs - dipMs)) - 128;
+      if (k === 40 && dipMs > stream.wantedMs) stream.read = stream.write;
+      stream.process([], [[out]]);
+    }
+    return [stream.wantedMs, stream.gaps];
+  });
+}"""
+
+
+@pytest.fixture
+def stream(chromium):
+    page = chromium.new_page()
+    yield lambda *story: page.evaluate(PLAY % WORKLET.read_text(), [list(part) for part in story])
+    page.close()
+
+
+def test_a_dip_is_remembered_for_half_a_minute_and_then_forgotten_slowly(stream):
+    calm, dipped, later, after, long_after = stream((20, 0), (1, 29), (20, 0), (25, 0), (60, 0))
+    assert calm == [30, 0]
+    assert dipped == [pytest.approx(35, abs=3), 0], "the next one as deep would leave some"
+    assert later == dipped
+    assert 30 <= after[0] < later[0]
+    assert long_after == [30, 0]
+
+
+def test_after_a_gap_more_is_kept(stream):
+    (_, before), (wanted, gaps) = stream((6, 0), (2, 60))
+    assert before == 0 and gaps == 1
+    assert 46 <= wanted <= 80
+
+
+def test_however_deep_the_dips_there_is_a_most(stream):
+    assert max(wanted for wanted, _ in stream(*[(2, 400)] * 30)) <= 200
