@@ -3,7 +3,7 @@
 import math
 import time
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 from vfcore.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
@@ -12,7 +12,7 @@ from vfcore.errors import ParameterError, VocalisError
 from vfcore.gesture.approach import approach, differences, is_near, number_at
 from vfcore.gesture.gesture import MOVABLE, with_numbers
 from vfcore.gesture.voice import BLOCK_S, Voice
-from vfcore.params import Simulation
+from vfcore.params import Activation, Simulation
 from vfcore.request import simulation_from_dict, simulation_to_dict
 from vfcore.version import MODEL_VERSION
 from vocalis_server.live.client import GOING_AWAY, Client, Left
@@ -38,6 +38,7 @@ MOST_AT_ONCE = 4  # blocks a turn, when a voice is late: the others wait
 PACE_GAIN = 0.035  # share of the buffer's error that a block makes good
 #: Numbers that are changed without reading the whole document again.
 QUICK = frozenset(path for path in MOVABLE if path.startswith("activation.") or "." not in path)
+MUSCLES = frozenset(field.name for field in fields(Activation))
 LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin again from now
 
 
@@ -212,10 +213,12 @@ class Player:
             except ParameterError as error:
                 self._say({"type": "problem", "problem": problem_of(error), "over": False})
                 continue
-            if "buffer_ms" in message and "wanted_buffer_ms" in message:
+            if "wanted_buffer_ms" in message and "buffer_ms" in message:
                 self._lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
             record, stamp = message.get("record", record), message.get("stamp", stamp)
-            change = merged(change, {key: value for key, value in message.items() if key not in CONTROLS})
+            for key in CONTROLS:
+                message.pop(key, None)
+            change = merged(change, message) if change else message
         if change:
             self._want(change)
         if record is not None:
@@ -244,6 +247,10 @@ class Player:
 
     def _changed(self, change: dict[str, Any]) -> Simulation | None:
         """The same as the whole document says, where a hand moves muscles or breath as it does sixty times a second."""
+        muscles = change.get("activation")
+        if len(change) == 1 and isinstance(muscles, dict) and muscles.keys() <= MUSCLES:
+            old = self._wanted.activation
+            return self._wanted.with_activation(Activation(**{m: muscles.get(m, getattr(old, m)) for m in MUSCLES}))
         numbers: dict[str, Any] = {}
         for key, value in change.items():
             if key == "activation" and isinstance(value, dict):

@@ -38,7 +38,9 @@ def read_message(text: str | bytes) -> dict[str, Any]:
     if not isinstance(message, dict):
         raise ParameterError("message", f"{type(message).__name__} is not an object", "an object in JSON")
     for name, low, high in (("buffer_ms", 0, 60_000), ("wanted_buffer_ms", 0, 2_000)):
-        value = message.get(name, 0)
+        if name not in message:
+            continue
+        value = message[name]
         if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
             raise ParameterError(name, f"{value!r} is not a time", f"{low} to {high} ms")
     stamp = message.get("stamp", 0)
