@@ -15,6 +15,7 @@ from vfcore.gesture.voice import Voice
 from vfcore.kernels.jit import kernel_directory
 from vfcore.params import Model, Run, Simulation
 from vfcore.simulate import simulate
+from vocalis_server.live.rehearsal import rehearse
 
 SHORTEST = Simulation(run=Run(duration_s=0.02))
 COUPLED = Simulation(model=Model(coupling="two_way"), run=Run(duration_s=0.02))
@@ -26,7 +27,8 @@ def compile_everything() -> None:
     """Compile, or load: runs alone and coupled, played voices, many side by side in both precisions."""
     for request in (SHORTEST, COUPLED):
         simulate(request)
-    Voice(Simulation()).advance(Simulation(vowel="i"))
+    rehearse()
+    Voice(Simulation()).advance(Simulation(vowel="i"))  # a gesture: with the sound at 0.3 m
     for precision in PRECISIONS:
         list(run_points([SHORTEST], precision=precision))
     with suppress(OSError):  # a folder that others own

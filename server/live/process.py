@@ -91,13 +91,12 @@ def serve_voices(control: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's affair; it closes ``control``
     with suppress(OSError, AttributeError):  # where it is allowed: what sounds comes before what is looked at
         os.setpriority(os.PRIO_PROCESS, 0, PRIORITY)
-    from vfcore.gesture.voice import Voice
-    from vfcore.params import Activation, Simulation
     from vocalis_server.live.client import Client
     from vocalis_server.live.player import Player
+    from vocalis_server.live.rehearsal import rehearse
 
     sys.setswitchinterval(SWITCH_S)
-    Voice(Simulation()).advance(Simulation(activation=Activation(ct=0.5), vowel="i"))
+    rehearse()
     stage = Stage()
     threading.Thread(target=stage.run, name="stage", daemon=True).start()
     gc.collect()
