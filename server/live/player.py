@@ -1,6 +1,5 @@
 """One played voice, in the process of the voices: words of the hand go in, a block of sound every 10 ms comes out."""
 
-import math
 import time
 from collections.abc import Callable
 from dataclasses import fields, replace
@@ -16,30 +15,20 @@ from vfcore.params import Activation, Simulation
 from vfcore.request import simulation_from_dict, simulation_to_dict
 from vfcore.version import MODEL_VERSION
 from vocalis_server.live.client import GOING_AWAY, Client, Left
+from vocalis_server.live.pace import EARLY_S, Pace
 from vocalis_server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, merged, read_message
 from vocalis_server.live.recording import Recording
-from vocalis_server.live.shown import STATE_EVERY, Shown
+from vocalis_server.live.shown import STATE_EVERY, Shown, rounded
 from vocalis_server.live.strobe import Strobe
 from vocalis_server.problems import problem_of
 
 FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
 CALM_BLOCKS = 25  # after so long without a movement the hand rests
-AT_REST = 2  # blocks a turn: a processor that was just woken takes three times as long over the first
-EARLY_S = 0.002  # a voice that is due so soon is played along with the one before
-#: A word of the hand is followed by the blocks that are due before its next one. They sound when they would have, and
-#: have heard as much: what the hand says next comes after the moment when they were due. When that will be is told from
-#: its last words, within these bounds.
-WORDS_S = (0.008, 0.022)
-FOLLOWS = 0.1  # share of the newest interval in what is expected of the next one
-LATE_S = 0.001  # by which a word may be late
-PAUSE_S = 0.012  # a hand that says more than 60 words a second is heard when so much has passed
 MOST_AT_ONCE = 4  # blocks a turn, when a voice is late: the others wait
-PACE_GAIN = 0.035  # share of the buffer's error that a block makes good
 #: Numbers that are changed without reading the whole document again.
 QUICK = frozenset(path for path in MOVABLE if path.startswith("activation.") or "." not in path)
 MUSCLES = frozenset(field.name for field in fields(Activation))
-LARGEST_LAG_S = 0.2  # behind by more than this (a sleeping machine): begin again from now
 
 
 class Player:
@@ -54,15 +43,11 @@ class Player:
         self._strobe = Strobe()
         self._recording: Recording | None = None
         self._first_recorded = 0
-        self._lead_error_s = 0.0
         self._sequence = 0
         self._calm = 0
         self._shown = Shown()
         self._frame = SoundFrame()
-        self.due_s = 0.0
-        self._hears_from_s = 0.0
-        self._moved = False  # since the last turn
-        self._heard_s, self._words_s = 0.0, 1 / 60  # the last word, and the time between two
+        self._pace = Pace(BLOCK_S)
 
     def is_due(self, now_s: float) -> bool:
         """Whether it is time for a turn: for the next block, or because the hand has moved."""
@@ -71,7 +56,7 @@ class Player:
     @property
     def wakes_s(self) -> float:
         """When it will be due if nobody says anything more."""
-        return min(self.due_s, self._hears_from_s) if self._moved else self.due_s
+        return self._pace.wakes_s
 
     @property
     def listens(self) -> bool:
@@ -104,7 +89,7 @@ class Player:
         if not self._over:
             try:
                 act()
-                if not self._moved:  # or it goes with the block that follows at once
+                if not self._pace.moved:  # or it goes with the block that follows at once
                     self._client.flush()
             except Left:
                 self._over = True
@@ -113,8 +98,7 @@ class Player:
                 self._end()
         if not self._over:
             return True
-        self._moved = False
-        self.due_s = time.monotonic() + BLOCK_S
+        self._pace.moved, self._pace.due_s = False, time.monotonic() + BLOCK_S
         return self._client.lingers()
 
     def _end(self, *why) -> None:
@@ -127,28 +111,19 @@ class Player:
         self._begin()
         self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": BLOCK_SAMPLES,
                    "full_scale_pa": FULL_SCALE_PA, "model_version": MODEL_VERSION})  # fmt: skip
-        self.due_s = time.monotonic() - LEAD_BLOCKS * BLOCK_S
+        self._pace.due_s = time.monotonic() - LEAD_BLOCKS * BLOCK_S
 
     def _next(self) -> None:
         if self._hung_up:
             return self._end(GOING_AWAY, "the server stops")
         now = time.monotonic()
-        until_s = now + EARLY_S
-        if self._moved:
-            self._moved, self._hears_from_s = False, now + PAUSE_S
-            self._words_s += FOLLOWS * (min(max(now - self._heard_s, WORDS_S[0]), WORDS_S[1]) - self._words_s)
-            self._heard_s = now
-            until_s = now + self._words_s + LATE_S
-        elif self._calm > CALM_BLOCKS:
-            until_s += (AT_REST - 1) * BLOCK_S
+        until_s = self._pace.turn(now, self._calm > CALM_BLOCKS)
         for _ in range(MOST_AT_ONCE):
-            if self.due_s > until_s:
+            if self._pace.due_s > until_s:
                 break
             self._block()
-            self.due_s += BLOCK_S - PACE_GAIN * self._lead_error_s
-            self._lead_error_s *= 1.0 - PACE_GAIN
-        if self.due_s < now - LARGEST_LAG_S:
-            self.due_s = now
+            self._pace.block()
+        self._pace.keep_up(now)
 
     def _begin(self) -> None:
         self._voice = Voice(self._wanted, played=True)
@@ -194,7 +169,7 @@ class Player:
             "type": "state",
             "sequence": self._sequence,
             "time_s": round(voice.blocks * BLOCK_S, 3),
-            "fo_hz": _number(self._strobe.fo_hz, 2),
+            "fo_hz": rounded(self._strobe.fo_hz),
             "strain": voice.posture.strain,
             "glottal_half_angle_rad": voice.posture.glottal_half_angle_rad,
             "length_m": voice.posture.length_m,
@@ -214,7 +189,7 @@ class Player:
                 self._say({"type": "problem", "problem": problem_of(error), "over": False})
                 continue
             if "wanted_buffer_ms" in message and "buffer_ms" in message:
-                self._lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
+                self._pace.lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
             record, stamp = message.get("record", record), message.get("stamp", stamp)
             for key in CONTROLS:
                 message.pop(key, None)
@@ -241,7 +216,7 @@ class Player:
             return
         self._wanted = wanted
         if voice is not None:
-            self._moved = True
+            self._pace.moved = True
             self._paths = differences(voice.request, wanted)
             self._calm = 0
 
@@ -271,7 +246,3 @@ class Player:
 
     def _say(self, document: dict[str, Any]) -> None:
         self._client.send(json_text(document))
-
-
-def _number(value: float, digits: int) -> float | None:
-    return round(value, digits) if math.isfinite(value) else None

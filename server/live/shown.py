@@ -44,8 +44,7 @@ class Shown:
     def text(self, said: dict, x_m: np.ndarray, w_m: np.ndarray, medial_m: np.ndarray) -> str:
         """A picture as JSON: ``said``, the waves, and the folds at ``x_m`` (nx,): displacement and medial plane, both
         (ny, nx), at their edges."""
-        level = level_db(self._lip[: self._count].reshape(-1))
-        said["spl_lips_db"] = round(level, 2) if math.isfinite(level) else None
+        said["spl_lips_db"] = rounded(level_db(self._lip[: self._count].reshape(-1)))
         said["wave_rate_hz"] = WAVE_RATE_HZ
         edges = np.concatenate((x_m, w_m[0], w_m[-1], medial_m[0], medial_m[-1]))
         waves = np.concatenate((self.area_m2[::WAVE_EVERY], self._flow[: self._count].reshape(-1)))
@@ -61,3 +60,8 @@ class Shown:
         if len(self._text) < len(values) * ROOM + 2:
             self._text = np.empty(len(values) * ROOM + 2, np.uint8)
         return self._text[: write_decimals(values, factor, decimals, self._text)].tobytes().decode("ascii")
+
+
+def rounded(value: float) -> float | None:
+    """To two decimals; None, which JSON has, for what is no number."""
+    return round(value, 2) if math.isfinite(value) else None
