@@ -38,3 +38,12 @@ def test_a_wave_that_does_not_change_is_like_nothing():
     values = np.empty(12)
     likeness(np.full(20, 3.0), np.empty(20), values)
     assert not values.any()
+
+
+def test_a_ripple_on_the_way_down_from_lag_0_is_no_period():
+    t = np.arange(300)
+    wave = np.sin(2 * np.pi * t / 100) + 0.02 * np.sin(2 * np.pi * t / 4)
+    values = np.empty(152)
+    likeness(wave, np.empty(300), values)
+    assert first_period(values, 2, 0.0, LEAST, NEARLY) < 10
+    assert first_period(values, 2, PEAK_RISE, LEAST, NEARLY) == pytest.approx(100, rel=1e-3)

@@ -57,7 +57,7 @@ def test_what_is_no_web_socket_ends_it_and_says_why(pair, said, code):
     client, theirs = pair
     theirs.sendall(said)
     with pytest.raises(Left):
-        while True:
+        for _ in range(50):
             client.messages()
     answer = Protocol(Side.CLIENT)
     answer.receive_data(theirs.recv(1000))
