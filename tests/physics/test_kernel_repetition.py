@@ -42,7 +42,7 @@ def test_a_wave_that_does_not_change_is_like_nothing():
 
 def test_a_ripple_on_the_way_down_from_lag_0_is_no_period():
     t = np.arange(300)
-    wave = np.sin(2 * np.pi * t / 100) + 0.02 * np.sin(2 * np.pi * t / 4)
+    wave = np.sin(2 * np.pi * t / 100) + 0.2 * np.sin(2 * np.pi * t / 4)
     values = np.empty(152)
     likeness(wave, np.empty(300), values)
     assert first_period(values, 2, 0.0, LEAST, NEARLY) < 10
