@@ -46,4 +46,4 @@ def test_a_ripple_on_the_way_down_from_lag_0_is_no_period():
     values = np.empty(152)
     likeness(wave, np.empty(300), values)
     assert first_period(values, 2, 0.0, LEAST, NEARLY) < 10
-    assert first_period(values, 2, PEAK_RISE, LEAST, NEARLY) == pytest.approx(100, rel=1e-3)
+    assert first_period(values, 2, PEAK_RISE, LEAST, NEARLY) == pytest.approx(100, rel=0.05)
