@@ -3,17 +3,16 @@
 import math
 
 import numpy as np
+import orjson
 
-from vfcore.document import json_text
 from vfcore.gesture.contours import level_db
 from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Block
-from vfcore.kernels.decimals import ROOM, write_decimals
 
 STATE_EVERY = 8  # blocks: 12 pictures a second; a screen beside a played voice has no time for more
 WAVE_EVERY = 14  # samples: 2.5 kHz is enough for a line on a screen
 WAVE_RATE_HZ = BLOCK_STEPS / WAVE_EVERY / BLOCK_S
-#: Factor and decimals of what is drawn: 1 µm; 0.01 mm² and 0.01 ml/s.
-LENGTH, WAVE = (1.0, 6), (1e6, 2)
+#: Of what is drawn: 1 µm; 0.01 mm² and 0.01 ml/s.
+LENGTH_DECIMALS, WAVE_DECIMALS = 6, 2
 EDGES = ("x_m", "superior_m", "inferior_m", "medial_superior_m", "medial_inferior_m")
 WAVES = ("area_mm2", "flow_ml_s")
 
@@ -24,7 +23,6 @@ class Shown:
     def __init__(self) -> None:
         self._area, self._lip = (np.zeros((STATE_EVERY, BLOCK_STEPS)) for _ in range(2))
         self._flow = np.zeros((STATE_EVERY, BLOCK_STEPS // WAVE_EVERY))
-        self._text = np.empty(0, np.uint8)
         self._count = 0
 
     def clear(self) -> None:
@@ -46,20 +44,10 @@ class Shown:
         (ny, nx), at their edges."""
         said["spl_lips_db"] = rounded(level_db(self._lip[: self._count].reshape(-1)))
         said["wave_rate_hz"] = WAVE_RATE_HZ
-        edges = np.concatenate((x_m, w_m[0], w_m[-1], medial_m[0], medial_m[-1]))
-        waves = np.concatenate((self.area_m2[::WAVE_EVERY], self._flow[: self._count].reshape(-1)))
-        return json_text(said)[:-1] + self._lists(EDGES, edges, *LENGTH) + self._lists(WAVES, waves, *WAVE) + "}"
-
-    def _lists(self, names: tuple[str, ...], values: np.ndarray, factor: float, decimals: int) -> str:
-        """``values`` in equal parts, each under its name."""
-        text = self._list(values, factor, decimals)[1:-1].split(",")
-        part = len(text) // len(names)
-        return "".join(f', "{name}": [{",".join(text[k * part : (k + 1) * part])}]' for k, name in enumerate(names))
-
-    def _list(self, values: np.ndarray, factor: float, decimals: int) -> str:
-        if len(self._text) < len(values) * ROOM + 2:
-            self._text = np.empty(len(values) * ROOM + 2, np.uint8)
-        return self._text[: write_decimals(values, factor, decimals, self._text)].tobytes().decode("ascii")
+        edges = np.round((x_m, w_m[0], w_m[-1], medial_m[0], medial_m[-1]), LENGTH_DECIMALS)
+        waves = 1e6 * np.array((self.area_m2[::WAVE_EVERY], self._flow[: self._count].reshape(-1)))
+        said |= zip((*EDGES, *WAVES), (*edges, *np.round(waves, WAVE_DECIMALS)), strict=True)
+        return orjson.dumps(said, option=orjson.OPT_SERIALIZE_NUMPY).decode()
 
 
 def rounded(value: float) -> float | None:

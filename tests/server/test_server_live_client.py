@@ -52,6 +52,7 @@ def test_words_are_whole_wherever_they_are_cut(pair, step):
         (b"\xc1" + text("compressed")[1:], 1002),
         (Frame(Opcode.CLOSE, Close(1000, "").serialize()).serialize(mask=True), 1000),
     ],
+    ids=["not masked", "too large", "said to be too large", "a word within another", "compressed", "farewell"],
 )
 def test_what_is_no_web_socket_ends_it_and_says_why(pair, said, code):
     client, theirs = pair
