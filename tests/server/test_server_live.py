@@ -13,7 +13,7 @@ def test_blocks_come_in_order_in_real_time_and_sound(stage):
     with voice(stage) as socket:
         heard = Heard(socket).listen(1.5)
     assert heard.sequence == list(range(len(heard.sequence)))
-    assert len(heard.sequence) == pytest.approx(150, abs=12)
+    assert 138 <= len(heard.sequence) <= 180  # 150, and what waited for a client that woke late
     assert all(len(block) == 480 for block in heard.blocks)
     sound = np.concatenate(heard.blocks)
     assert 0.01 < np.abs(sound).max() < 0.5
