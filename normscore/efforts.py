@@ -10,7 +10,7 @@ from dataclasses import replace
 from vfcore.params import Activation, Simulation
 
 #: Activation of a man's normal voice; a little PCA leaves the posterior gap that most people have.
-POSTURE = Activation(lca=0.52, ia=0.52, pca=0.13, ct=0.09, ta=0.23)
+POSTURE = Activation(lca=0.68, ia=0.68, pca=0.24, ct=0.12, ta=0.53)
 #: Lung pressure of soft, normal and loud voice, men: Holmberg, Hillman & Perkell (1988), approximate.
 EFFORTS_PA = {"soft": 500.0, "normal": 600.0, "loud": 850.0}
 PA_PER_CMH2O = 98.0665

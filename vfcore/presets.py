@@ -49,7 +49,7 @@ PRESETS = (
     ),
     Preset(
         "pca_abduction", "PCA abduction",
-        "PCA overcomes weak closers: a V of 9 mm at the back, much flow, no voice; the human variant murmurs at 1 kPa.",
+        "PCA overcomes weak closers: a V of 9 mm at the back, much flow, no vibration at normal pressure.",
         _muscles(0.4, 0.4, 1.0, 0.3, 0.4),
     ),
     Preset(

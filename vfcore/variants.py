@@ -2,7 +2,7 @@
 
 ``human`` and ``human_female`` change constants only. The values of ``human`` are those that the calibration study of
 vocalis_norms finds and adopts by its rule (docs/human.md, section 4): twelve of fifteen published norms of men met, and
-no shape or trend of the paper worse than its own constants show under the same coupling. ``human_female`` is scaled
+no shape or map of the paper worse than its own constants show under the same coupling. ``human_female`` is scaled
 from it and calibrated against nothing.
 """
 
@@ -60,35 +60,34 @@ _SHEAR = (
 )
 _HUMAN = (
     Change(
-        "C_coup_pa_s_m", 18.0,
-        "Nearly twice the paper's. Not measured directly; with the shear viscosity it sets the damping ratios of the "
-        "mucosa, of which 0.1 to 0.4 are used after measurements on folds and larynges (Ishizaka & Flanagan 1972; "
-        "Titze & Story 2002). More damping narrows the opening, and less of it keeps the dip of the flow.",
+        "C_coup_pa_s_m", 36.0,
+        "3.6 times the paper's, with which the opening grows beyond any larynx. Not measured directly; with the shear "
+        "viscosity it sets the damping ratios of the mucosa, of which 0.1 to 0.4 are used after measurements on folds "
+        "and larynges (Ishizaka & Flanagan 1972; Titze & Story 2002).",
     ),
     Change(
-        "A_muc_0_m2", 5.8e-6,
-        "Depth of the mucosa 1.16 mm instead of 1 mm: the mass that moves with the surface. Body–cover models of a "
+        "A_muc_0_m2", 7.2e-6,
+        "Depth of the mucosa 1.44 mm instead of 1 mm: the mass that moves with the surface. Body–cover models of a "
         "man's fold use a cover of 2 mm (Titze & Story 2002).",
     ),
     Change(
-        "K_coup_min_pa_m", 1.5e5,
-        "Three times the paper's, with which 1 kPa moves the soft edge by 20 mm; now by 7 mm. Not measured directly; "
-        "held by the norms of flow, level and f_o.",
+        "K_coup_min_pa_m", 9.6e4,
+        "Nearly twice the paper's, with which 1 kPa moves the soft edge by 20 mm; now by 10 mm. Not measured directly; "
+        "held by the norms of area, flow and f_o.",
     ),
     Change(
-        "K_coup_max_pa_m", 8.9e5,
-        "1.8 times the paper's, so that the two edges differ less. A layer of 1.2 mm with a modulus of 1 kPa across "
-        "the fold (Alipour & Vigmostad 2012) would have 8.6e5 Pa/m. Stiffer springs hide the tension of the mucosa, "
-        "and with it the fall of f_o with TA.",
+        "K_coup_max_pa_m", 1.1e6,
+        "2.2 times the paper's. A layer of 1.4 mm with a modulus of 1 kPa across the fold (Alipour & Vigmostad 2012) "
+        "would have 6.9e5 Pa/m, between the edges. Not measured directly.",
     ),
     Change(
-        "K_col_pa_m", 8.4e5,
-        "A little softer than the paper's: the firmer the folds touch, the more f_o rises with what presses them "
-        "together, TA above all. Not measured directly; held by the norm of contact pressure.",
+        "K_col_pa_m", 1.2e6,
+        "A little stiffer than the paper's, so that the folds pass through each other less; the firmer they touch, "
+        "the more f_o rises with what presses them together, TA above all. Held by the norm of contact pressure.",
     ),
-    Change("C_col_pa_s_m", 92.0, "As the contact stiffness: their ratio, 0.11 ms, is nearly the paper's."),
-    Change("G_m_pa", 61.0, f"{_SHEAR} Held by the paper's trends."),
-    Change("eta_m_pa_s", 0.45, f"{_SHEAR} Held by the paper's trends."),
+    Change("C_col_pa_s_m", 110.0, "As the contact stiffness: their ratio, 0.09 ms, is nearly the paper's."),
+    Change("G_m_pa", 25.0, f"{_SHEAR} Held by the paper's trends."),
+    Change("eta_m_pa_s", 0.35, f"{_SHEAR} Held by the paper's trends."),
     Change(
         "sigma_2_muc_pa", 1600.0,
         "Its slope at rest length becomes 50 kPa instead of 32; measured in the lamina propria are some 30 kPa at low "
@@ -96,9 +95,9 @@ _HUMAN = (
         "the length, the more TA, which shortens the folds, lowers it.",
     ),
     Change(
-        "K_r_a_n_m", 0.06,
-        "Three times the paper's, the end of the range that was searched. Not measured. The stiffer the folds are "
-        "held in front, the less TA bulges them against each other, and the less contact raises f_o.",
+        "K_r_a_n_m", 0.025,
+        "A quarter more than the paper's. Not measured. The stiffer the folds are held in front, the less TA bulges "
+        "them against each other, and the less contact raises f_o.",
     ),
 )  # fmt: skip
 LENGTH_RATIO, SIZE_RATIO, AIRWAY_RATIO = 1.6, 1.2, 1.2  # men over women, Titze (1989b); airways: Fitch & Giedd (1999)
@@ -128,8 +127,8 @@ VARIANTS = {
     ),
     "human": ModelVariant(
         "serry2026", "inferior_stiff", "kelvin_voigt",
-        "Adult man: the paper's equations, ten constants set so that flow, pitch and level are of human size and the "
-        "paper's trends stay. Meant with coupling two_way.",
+        "Adult man: the paper's equations, ten constants set so that flow, pitch and level are of human size; the "
+        "paper's shapes and maps stay. Meant with coupling two_way.",
         _HUMAN, "two_way",
     ),
     "human_female": ModelVariant(
