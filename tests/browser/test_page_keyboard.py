@@ -1,5 +1,7 @@
 """The page without a mouse."""
 
+from tests.browser.conftest import MOVING
+
 FOCUSED = "document.activeElement.id || document.activeElement.className || document.activeElement.tagName"
 
 
@@ -48,7 +50,7 @@ def test_help_opens_closes_and_gives_the_focus_back(visit):
 
 
 def test_space_sounds_m_moves_and_brackets_step_through_the_cycle(visit):
-    here = visit()
+    here = visit(**MOVING)
     here.page.keyboard.press("Space")
     here.page.get_by_role("button", name="Stop", exact=True).wait_for()
     here.page.keyboard.press("Space")

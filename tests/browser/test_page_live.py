@@ -4,6 +4,8 @@ import re
 
 import pytest
 
+from tests.browser.conftest import MOVING
+
 PICTURES = ("stage", "waves", "shapes", "map-aero", "map-contact")
 
 
@@ -94,7 +96,7 @@ def test_pointing_at_a_wave_moves_stage_and_maps_to_that_moment(visit):
 
 
 def test_the_motion_moves_and_stops(visit):
-    here = visit()
+    here = visit(**MOVING)
     first = here.picture("stage")
     here.page.wait_for_timeout(400)
     assert here.picture("stage") != first

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE
+from tests.browser.conftest import DESK, MOVING, PHONE
 from tests.browser.trace import CATEGORIES, scripts_of_frames
 from tests.browser.visit import Visit
 
@@ -107,7 +107,7 @@ OPEN = {"desk": ["panel-voice", "panel-folds"], "phone": ["tab-muscles"]}
 @pytest.mark.parametrize("size", OPEN)
 def test_a_drag_leaves_room_in_every_frame(visit, chromium, size, capsys):
     """Prints the scripting of a frame; the bound is on the middle one, for machines that do other things besides."""
-    here = visit(viewport={"desk": DESK, "phone": PHONE}[size])
+    here = visit(viewport={"desk": DESK, "phone": PHONE}[size], **MOVING)
     here.page.keyboard.press("a")
     for place in OPEN[size]:
         here.page.locator(f"#{place}").click()

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE
+from tests.browser.conftest import DESK, MOVING, PHONE
 
 LESSONS = Path(__file__).parents[2] / "frontend" / "lessons"
 
@@ -176,7 +176,7 @@ def test_a_lesson_sets_the_model_and_says_what_to_see(visit, viewport):
 
 
 def test_the_strobe_shows_as_many_cycles_a_second_at_any_pitch(visit):
-    here = visit()
+    here = visit(**MOVING)
     here.page.locator(".speed select").select_option("strobe 1")
     moved = here.page.evaluate(
         """async () => {
