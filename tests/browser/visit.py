@@ -17,11 +17,16 @@ INK = """name => {
     if ([0, 1, 2, 3].some((c) => data[k + c] !== data[c])) different++;
   return (4 * different) / data.length;
 }"""
-#: Once the heavy pictures have taken up the newest voice and the view of the open tab has been fetched.
+#: Once the heavy pictures have taken up the newest voice, the view of the open tab has been fetched, and every canvas
+#: on the page has been given the size of its box, which happens in the frame that paints it first.
 RESTED = """async () => {
   const [{ rested }, { result }] = await Promise.all([import("/state/rested.js"), import("/state/outcome.js")]);
   const frame = () => new Promise(requestAnimationFrame);
-  while (rested.value !== result.value || !document.querySelector("[role=tabpanel] > *")) await frame();
+  const ratio = Math.min(devicePixelRatio, 3);
+  const fits = (canvas) => canvas.clientWidth < 2 || Math.abs(canvas.width - ratio * canvas.clientWidth) <= ratio;
+  const painted = () => [...document.querySelectorAll("canvas.picture")].every(fits);
+  const fetched = () => document.querySelector("[role=tabpanel] > *");
+  while (rested.value !== result.value || !fetched() || !painted()) await frame();
 }"""
 FRAMES = "n => new Promise(done => { const f = () => (n-- > 0 ? requestAnimationFrame(f) : done()); f(); })"
 

@@ -41,15 +41,13 @@ def kernel_directory() -> Path:
     return Path(numba.config.CACHE_DIR)
 
 
-FASTMATH = {"contract", "reassoc", "arcp", "nsz"}
-
-
-ERROR_MODEL = "numpy"
+ARITHMETIC = {"error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
+OPTIONS = {"nogil": True, "cache": True, **ARITHMETIC}
 
 
 def jit(function):
     """Compile ``function`` with the project's options."""
-    return numba.njit(nogil=True, cache=True, error_model=ERROR_MODEL, fastmath=FASTMATH)(function)
+    return numba.njit(**OPTIONS)(function)
 
 
 def inlined(function):
@@ -58,8 +56,7 @@ def inlined(function):
     Otherwise a call may end in a copy of it that was compiled apart, or not, by what else the process has compiled or
     loaded before; the copies differ in the order of their sums, and two processes in the last bit.
     """
-    options = {"nogil": True, "cache": True, "error_model": ERROR_MODEL, "fastmath": FASTMATH}
-    return numba.njit(forceinline=True, **options)(function)
+    return numba.njit(forceinline=True, **OPTIONS)(function)
 
 
 def formula(function):
@@ -67,4 +64,4 @@ def formula(function):
 
     So that a formula which both need is written once, and Python keeps every bit of what it had without a compiler.
     """
-    return register_jitable(error_model=ERROR_MODEL, fastmath=FASTMATH, forceinline=True)(function)
+    return register_jitable(forceinline=True, **ARITHMETIC)(function)

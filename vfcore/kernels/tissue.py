@@ -1,7 +1,12 @@
 """From strain and TA activation to the numbers of the prestrained fold: the formulas, plain floats in and out.
 
-Symbols, equations and sources: vfcore/tissue/constitutive.py, coefficients.py and beam.py, which give them names and
-refuse what means nothing; vfcore/stability.py for the step. ``c`` is anything with the names of FoldConstants.
+Engineering stress of layer i (paper, constitutive relations), Pa of resting area, strain of the resting length:
+
+    passive    σ_p(ε) = −(σ_1/ε_1)(ε − ε_1)  +  [ε ≥ ε_2] σ_2 ( exp(α_1(ε − ε_2)) − 1 − α_1(ε − ε_2) )
+    active     σ_a(ε) = a σ_a,max · max(0, 1 − α_2 (ε − ε_m)²),   TA only
+
+The other equations and their sources: vfcore/tissue/coefficients.py and beam.py, which name the numbers and refuse what
+means nothing; vfcore/stability.py for the step. ``c`` is anything with the names of FoldConstants.
 Python and compiled code read the same lines (``formula``); compiled, results differ by rounding.
 """
 
