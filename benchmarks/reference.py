@@ -17,11 +17,10 @@ from vfcore.params import DEFAULT_STEP_S
 STEP_S = DEFAULT_STEP_S / 4
 
 contact_pressure = contact.contact_pressure
-gap, reciprocal, separation_gap = flow.gap, flow.reciprocal, flow.separation_gap
-cube, viscous_segment, viscous_drop, flux_root = flow.cube, flow.viscous_segment, flow.viscous_drop, flow.flux_root
-slice_flux, pressure = flow.slice_flux, flow.pressure
-tension, coupling = membrane.tension, membrane.coupling
-shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
+gap, is_open, opening, square, cube = flow.gap, flow.is_open, flow.opening, flow.square, flow.cube
+separation_gap, viscous_segment, viscous_drop = flow.separation_gap, flow.viscous_segment, flow.viscous_drop
+flux_root, slice_flux, pressure = flow.flux_root, flow.slice_flux, flow.pressure
+tension, coupling, kelvin_voigt = membrane.tension, membrane.coupling, membrane.kelvin_voigt
 
 
 class Laws(NamedTuple):
@@ -59,17 +58,17 @@ def _slice_pressure(w, G, i, k, p, d):
         j_sep -= 1
     integral = 0.0
     for j in range(ny - 2, j_sep - 1, -1):
-        integral += viscous_segment(cube(reciprocal(d[j + 1])), cube(reciprocal(d[j])))
+        integral += viscous_segment(cube(1.0 / d[j + 1]), cube(1.0 / d[j]))
     six_mu_a_dy = 0.5 * k.twelve_mu_a * k.dy
     Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
-    q = slice_flux(k.P_s, d_sep, Bd, flux_root(k.P_s, Bd, k.half_rho_a))
+    q = slice_flux(k.P_s, d_min, d_sep, Bd, flux_root(k.P_s, Bd, k.half_rho_a))
     integral = 0.0
     for j in range(ny - 1, -1, -1):
-        on_the_lung_side = j > j_sep or (d_min <= 0.0 and j == j_sep)
-        p[j] = pressure(k.P_s, q, reciprocal(d[j]), integral, k.half_rho_a, six_mu_a_dy) if on_the_lung_side else 0.0
+        on_the_lung_side = j > j_sep or (not is_open(d_min) and j == j_sep)
+        p[j] = pressure(k.P_s, q, square(1.0 / d[j]), integral, k.half_rho_a, six_mu_a_dy) if on_the_lung_side else 0.0
         if j > 0:
-            integral += viscous_segment(cube(reciprocal(d[j])), cube(reciprocal(d[j - 1])))
-    return d_min, q
+            integral += viscous_segment(cube(1.0 / d[j]), cube(1.0 / d[j - 1]))
+    return opening(d_min), q
 
 
 @jit
@@ -91,10 +90,9 @@ def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, reco
                 shear = 0.0
                 for other in (j - 1, j + 1):
                     if 0 <= other < ny:
-                        strain = shear_strain(w[j, i], w[other, i], 0.0) / k.dy
-                        rate = shear_strain(v[j, i], v[other, i], 0.0) / k.dy
+                        strain, rate = (w[other, i] - w[j, i]) / k.dy, (v[other, i] - v[j, i]) / k.dy
                         cell = 0.5 * k.dy if j == 0 or j == ny - 1 else k.dy
-                        shear += shear_flux(strain, rate, k.G_shear, k.eta_shear) / cell
+                        shear += kelvin_voigt(strain, rate, k.G_shear, k.eta_shear) / cell
                 p_col = contact_pressure(w[j, i], v[j, i], G[j, i], k.K_col, k.C_col)
                 largest = max(p_col, largest)
                 along = tension(w[j, i - 1], w[j, i], w[j, i + 1], k.T_over_dx2)

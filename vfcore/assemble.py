@@ -110,8 +110,6 @@ class Fixed(NamedTuple):
     G: np.ndarray
     medial: np.ndarray
     K_coup: np.ndarray
-    weight: np.ndarray
-    per_weight: np.ndarray
     inverse_density: np.ndarray
     width: np.ndarray
     column: np.ndarray
@@ -123,9 +121,7 @@ def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
     """Where the fixed fields of number ``place`` of the folds side by side in ``buffer`` stand."""
     first, nx, ny = layout.anterior, layout.nx, layout.ny
 
-    def per_row(name: str) -> np.ndarray:
-        start = layout.row_numbers(name)
-        return buffer[start : start + ny * layout.postures].reshape(ny, layout.postures)[:, place]
+    rows = layout.row_numbers
 
     def inner(name: str) -> np.ndarray:
         return _line(buffer, layout, name)[first + 1 : first + nx - 1, place]
@@ -134,9 +130,7 @@ def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
     return Fixed(
         field,
         field[:, first : first + nx],
-        per_row("K_coup"),
-        per_row("weight"),
-        per_row("per_weight"),
+        buffer[rows : rows + ny * layout.postures].reshape(ny, layout.postures)[:, place],
         inner("inverse_density"),
         _line(buffer, layout, "width")[first + 1 : first + nx, place],
         _line(buffer, layout, "column")[:, place],
@@ -149,8 +143,6 @@ def fill(buffer: np.ndarray, layout: Layout, place: int, fold: Fold, time_step_s
     """Write the fixed fields of ``fold`` as number ``place`` of the folds side by side in ``buffer``."""
     views = fixed(buffer, layout, place)
     views.G[:] = 1.0  # idle columns: far from contact
-    views.weight[:], views.per_weight[:] = 1.0, 1.0
-    views.weight[[0, -1]], views.per_weight[[0, -1]] = 0.5, 2.0
     views.column[:] = np.arange(layout.stride // layout.postures) - layout.anterior
     refill(views, fold, time_step_s)
 

@@ -22,25 +22,35 @@ slice the flow separates at the inlet. y_sep is the first node, read from the in
 has fallen to d_sep; a node is attached when the smallest gap from the inlet up to it (the
 running minimum) exceeds d_sep. In a closed slice (d_min = 0) nothing flows; nodes from the
 inlet down to and including the first contact carry P_s  [eq. AerodynamicPressureClosed].
+
+The integral from the inlet to a node does not ask where the flow separates: B takes its value at the first node that is
+not attached, and attached nodes their own.
 """
 
 from vfcore.kernels.jit import jit
 from vfcore.kernels.lanes import maximum, minimum, square_root, where
 
-# A reciprocal needs a gap above zero. 1 pm is five orders below any gap that passes flow.
-SMALLEST_GAP_M = 1e-12
+# A reciprocal needs a gap above zero, and its cube must fit single precision. 10 pm is four orders below any gap that
+# passes flow.
+SMALLEST_GAP_M = 1e-11
 
 
 @jit
 def gap(G, w):
-    """Local gap height d_g, m."""
-    return 2.0 * maximum(G - w, 0.0)
+    """Local gap height d_g, m; SMALLEST_GAP_M where the fold meets the medial plane."""
+    return maximum(2.0 * (G - w), SMALLEST_GAP_M)
 
 
 @jit
-def reciprocal(d):
-    """1/d, with d kept above SMALLEST_GAP_M."""
-    return 1.0 / maximum(d, SMALLEST_GAP_M)
+def is_open(d_min):
+    """False for a slice whose folds meet somewhere."""
+    return d_min > SMALLEST_GAP_M
+
+
+@jit
+def opening(d_min):
+    """The smallest gap of a slice as it counts for its area, m: 0 when closed."""
+    return where(is_open(d_min), d_min, 0.0)
 
 
 @jit
@@ -52,13 +62,19 @@ def separation_gap(d_min, d_max, alpha_s):
 @jit
 def attached(running_min, running_min_upstream, d_sep, d_min):
     """True where the flow is attached (open slice) or the node is on the lung side (closed slice)."""
-    return where(d_min > 0.0, running_min, running_min_upstream) > d_sep
+    return where(is_open(d_min), running_min, running_min_upstream) > d_sep
+
+
+@jit
+def square(r):
+    """1/d² from 1/d, m⁻²."""
+    return r * r
 
 
 @jit
 def cube(r):
     """1/d³ from 1/d, m⁻³."""
-    return r * r * r
+    return square(r) * r
 
 
 @jit
@@ -86,12 +102,12 @@ def flux_root(P_s, Bd, half_rho_a):
 
 
 @jit
-def slice_flux(P_s, d_sep, Bd, root):
+def slice_flux(P_s, d_min, d_sep, Bd, root):
     """Flow per unit width q, m²/s, under the drop ``P_s`` from inlet to outlet; odd in it, and 0 in a closed slice."""
-    return 2.0 * P_s * d_sep / (Bd + root + 1e-30)
+    return where(is_open(d_min), 2.0 * P_s * d_sep / (Bd + root + 1e-30), 0.0)
 
 
 @jit
-def pressure(P_s, q, r, viscous_sum, half_rho_a, six_mu_a_dy):
-    """p_aero at an attached node, Pa, with ``P_s`` at the inlet."""
-    return P_s - half_rho_a * q * size(q) * r * r - six_mu_a_dy * q * viscous_sum
+def pressure(P_s, q, per_d2, viscous_sum, half_rho_a, six_mu_a_dy):
+    """p_aero at an attached node, Pa, with ``P_s`` at the inlet; ``per_d2`` is 1/d²."""
+    return P_s - half_rho_a * q * size(q) * per_d2 - six_mu_a_dy * q * viscous_sum

@@ -14,8 +14,11 @@ the right side is S (f/ρ_l + 4/dt² w_b) − 4/dt² w_b: one dense product per 
 
 Kept between steps: w, v^{n−½} and v*, so that every damper reads v* without computing it again. With F/ρ_s = a both
 come from v^{n−½} by one multiply-add each, the next v* being v^{n−½} + (3/2) dt a.
-Shear is taken in differences between rows, with G̃/dy² and η̃/dy²; an edge row is a half cell,
-so its flux counts twice (``per_weight``) and its traction and contact half (``weight``).
+Shear is taken in differences between rows, with G̃/dy² and η̃/dy²; an edge row is a half cell, with no flux through the
+edge: the flux beyond mirrors the one within, and its traction and contact count half.
+
+Columns go through three phases, BLOCK groups of them at a time: gaps, flux, forces. The flux is one long chain (√, ÷)
+from the last gap on, during which a processor would idle: the chains of a block run side by side.
 
 Order 2 in dt, dx, dy. Stability: vfcore/stability.py. Boundary slices x = 0, L count by the
 trapezoid rule in area and flow.
@@ -26,16 +29,14 @@ from functools import lru_cache
 
 from vfcore.kernels import airways, contact, flow, membrane
 from vfcore.kernels.jit import inlined
-from vfcore.kernels.lanes import each, lane, load, maximum, minimum, spread, store, total, where
-from vfcore.kernels.layout import LANES, RECORD, Layout
+from vfcore.kernels.lanes import all_of, each, lane, load, maximum, minimum, spread, store, total, where
+from vfcore.kernels.layout import BLOCK, LANES, RECORD, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
-gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
-size = flow.size
-cube, viscous_segment, viscous_drop, flux_root = flow.cube, flow.viscous_segment, flow.viscous_drop, flow.flux_root
-slice_flux, pressure = flow.slice_flux, flow.pressure
-tension, coupling = membrane.tension, membrane.coupling
-shear_strain, shear_flux = membrane.shear_strain, membrane.shear_flux
+gap, is_open, opening, size, square, cube = flow.gap, flow.is_open, flow.opening, flow.size, flow.square, flow.cube
+separation_gap, attached, viscous_segment = flow.separation_gap, flow.attached, flow.viscous_segment
+viscous_drop, flux_root, slice_flux, pressure = flow.viscous_drop, flow.flux_root, flow.slice_flux, flow.pressure
+tension, coupling, kelvin_voigt = membrane.tension, membrane.coupling, membrane.kelvin_voigt
 advance_airways, viscous_share = airways.advance_airways, airways.viscous_share
 DROP, FLOW, INLET, OUTLET, SMALLEST_DROP_PA = (
     airways.DROP, airways.FLOW, airways.INLET, airways.OUTLET, airways.SMALLEST_DROP_PA,
@@ -66,8 +67,9 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     S, C1, END, NB = L.stride, L.first, L.first + L.worked, nx - 2
     WM, V, VS, G = L.field("w"), L.field("v"), L.field("v_star"), L.field("G")
     PH, VPH, VPHS = L.field("phi"), L.field("vphi"), L.field("vphi_star")
-    K, WEIGHT, PER_WEIGHT = (L.row_numbers(name) // P for name in ("K_coup", "weight", "per_weight"))
-    R, M, I = L.row_numbers("reciprocal"), L.row_numbers("running_min"), L.row_numbers("viscous")
+    K, ROWS = L.row_numbers // P, ny * W
+    R, M, I = L.scratch("square"), L.scratch("running_min"), L.scratch("viscous")
+    D, Q, SEP = (L.scratch("slice") + k * BLOCK * W for k in range(3))
     WB, VB, VBS, FB = L.line("w_b"), L.line("v_b"), L.line("v_star_b"), L.line("beam_force")
     LOAD, INV, WIDTH, COLUMN = L.line("beam_load"), L.line("inverse_density"), L.line("width"), L.line("column")
     BI, WORKED, BEYOND = L.beam_inverse, L.worked, L.line("beyond")
@@ -93,96 +95,118 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                 sweeps, drop = 2, max(abs(air[DROP]), SMALLEST_DROP_PA)
 
             for sweep in range(sweeps):
-                for i in range(C1, END, W):
-                    # flow: gaps, running minimum from the inlet, separation, flux
-                    smallest, d_max = far, zero
-                    for k in range(ny):
-                        j = ny - 1 - k
-                        d = gap(load(buf, G + j * S + i, W), load(buf, WM + j * S + i, W))
-                        smallest = minimum(d, smallest)
-                        d_max = maximum(d, d_max)
-                        store(buf, M + j * W, smallest)
-                        store(buf, R + j * W, reciprocal(d))
-                    d_min = smallest
-                    d_sep = separation_gap(d_min, d_max, alpha_s)
-                    integral, upstream = zero, far
-                    here = cube(load(buf, R + (ny - 1) * W, W))
-                    for k in range(ny - 1):
-                        j = ny - 1 - k
-                        running = load(buf, M + j * W, W)
-                        on = attached(running, upstream, d_sep, d_min)
-                        upstream = running
-                        above = cube(load(buf, R + j * W - W, W))
-                        store(buf, I + j * W, integral)
-                        integral = where(on, integral + viscous_segment(here, above), integral)
-                        here = above
-                    store(buf, I, integral)
-                    Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
-                    root = flux_root(drop, Bd, half_rho_a)
-                    q = slice_flux(drop, d_sep, Bd, root)
-                    if air is not None and sweep == 0:
+                area, flow_rate = zero, zero
+                for first in range(C1, END, BLOCK * W):
+                    groups = min(BLOCK, (END - first) // W)
+
+                    # gaps, the smallest from the inlet on, and the viscous integral from there
+                    for g in range(groups):
+                        i, here = first + g * W, g * ROWS
+                        smallest, d_max, integral, cube_below = far, zero, zero, zero
+                        for k in range(ny):
+                            j = ny - 1 - k
+                            d = gap(load(buf, G + j * S + i, W), load(buf, WM + j * S + i, W))
+                            smallest, d_max = minimum(d, smallest), maximum(d, d_max)
+                            r = 1.0 / d
+                            if k > 0:
+                                integral = integral + viscous_segment(cube_below, cube(r))
+                            cube_below = cube(r)
+                            store(buf, R + here + j * W, square(r))
+                            store(buf, M + here + j * W, smallest)
+                            store(buf, I + here + j * W, integral)
+                        store(buf, D + g * W, d_max)
+
+                    # separation and flux
+                    for g in range(groups):
+                        i, here = first + g * W, g * ROWS
+                        d_min = load(buf, M + here, W)
+                        d_sep = separation_gap(d_min, load(buf, D + g * W, W), alpha_s)
+                        integral, upstream = zero, far
+                        for k in range(ny - 1):
+                            j = ny - 1 - k
+                            running = load(buf, M + here + j * W, W)
+                            on = attached(running, upstream, d_sep, d_min)
+                            upstream = running
+                            integral = where(on, load(buf, I + here + j * W - W, W), integral)
+                        Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
+                        root = flux_root(drop, Bd, half_rho_a)
+                        q = slice_flux(drop, d_min, d_sep, Bd, root)
+                        store(buf, Q + g * W, q)
+                        store(buf, SEP + g * W, d_sep)
                         width = load(buf, WIDTH + i, W)
-                        flow_rate, slope = flow_rate + q * width, slope + d_sep / root * width
+                        area, flow_rate = area + opening(d_min) * width, flow_rate + q * width
+                        if air is not None:
+                            slope = slope + d_sep / root * width
+                    if air is not None and sweep == 0:
                         continue
 
-                    # contact and membrane
-                    w_b, v_b = load(buf, WB + i, W), load(buf, VBS + i, W)
-                    inverse = dt * load(buf, INV + i, W)
-                    three_halves = 1.5 * inverse
-                    slice_largest, touched, to_beam, flux_below = zero, zero, zero, zero
-                    w, v, upstream = load(buf, WM + (ny - 1) * S + i, W), load(buf, VS + (ny - 1) * S + i, W), far
-                    for k in range(ny):
-                        j = ny - 1 - k
-                        o = j * S + i
-                        G_j, r = load(buf, G + o, W), load(buf, R + j * W, W)
-                        running = load(buf, M + j * W, W)
-                        on = attached(running, upstream, d_sep, d_min)
-                        upstream = running
-                        p_attached = pressure(inlet, q, r, load(buf, I + j * W, W), half_rho_a, six_mu_a_dy)
-                        p_aero = where(on, p_attached, outlet)
-                        p_col = contact_pressure(w, v, G_j, K_col, C_col)
-                        traction = coupling(w, v, w_b, v_b, each(buf, K + j, P, W), C_coup)
-                        weight, per_weight = each(buf, WEIGHT + j, P, W), each(buf, PER_WEIGHT + j, P, W)
-                        slice_largest = maximum(p_col, slice_largest)
-                        touched = where(touching(w, G_j), touched + weight, touched)
-                        to_beam = to_beam + weight * traction
-                        flux, w_next, v_next = zero, w, v
-                        if j > 0:
-                            w_next, v_next = load(buf, WM + o - S, W), load(buf, VS + o - S, W)
-                            if rotation:
-                                h = o - S  # φ on the half node between rows j−1 and j
-                                strain = shear_strain(w_next, w, dy * load(buf, PH + h, W))
-                                rate = shear_strain(v_next, v, dy * load(buf, VPHS + h, W))
-                                d_vphi = dt * per_J * per_dy * shear_flux(strain, rate, G_m, eta_m)
-                                vphi = load(buf, VPH + h, W) + d_vphi
-                                store(buf, VPH + h, vphi)
-                                store(buf, VPHS + h, vphi + 0.5 * d_vphi)
-                                store(buf, PH + h, load(buf, PH + h, W) + dt * vphi)
-                            else:
-                                strain, rate = shear_strain(w_next, w, 0.0), shear_strain(v_next, v, 0.0)
-                            flux = shear_flux(strain, rate, G_t, eta_t)
-                        along = tension(load(buf, WM + o - P, W), w, load(buf, WM + o + P, W), T)
-                        force = along + (per_weight * (flux_below - flux) - traction - p_col - p_aero)
-                        before = load(buf, V + o, W)
-                        store(buf, V + o, before + inverse * force)
-                        store(buf, VS + o, before + three_halves * force)
-                        flux_below, w, v = flux, w_next, v_next
+                    # contact, membrane and what the beam feels of it
+                    for g in range(groups):
+                        i, here = first + g * W, g * ROWS
+                        d_min, d_sep, q = load(buf, M + here, W), load(buf, SEP + g * W, W), load(buf, Q + g * W, W)
+                        closed = not all_of(is_open(d_min))
+                        w_b, v_b = load(buf, WB + i, W), load(buf, VBS + i, W)
+                        inverse = dt * load(buf, INV + i, W)
+                        three_halves = 1.5 * inverse
+                        slice_largest, touched, to_beam, flux_below, upstream = zero, zero, zero, zero, far
+                        w, v = load(buf, WM + (ny - 1) * S + i, W), load(buf, VS + (ny - 1) * S + i, W)
+                        shear = kelvin_voigt(w, v, G_t, eta_t)
+                        for k in range(ny):
+                            j = ny - 1 - k
+                            o = j * S + i
+                            edge = k == 0 or j == 0
+                            running = load(buf, M + here + j * W, W)
+                            on = attached(running, upstream, d_sep, d_min)
+                            upstream = running
+                            per_d2, viscous = load(buf, R + here + j * W, W), load(buf, I + here + j * W, W)
+                            p_aero = where(on, pressure(inlet, q, per_d2, viscous, half_rho_a, six_mu_a_dy), outlet)
+                            p_col = zero
+                            if closed:
+                                G_j = load(buf, G + o, W)
+                                p_col = contact_pressure(w, v, G_j, K_col, C_col)
+                                slice_largest = maximum(p_col, slice_largest)
+                                touched = where(touching(w, G_j), touched + (0.5 if edge else 1.0), touched)
+                            traction = coupling(w, v, w_b, v_b, each(buf, K + j, P, W), C_coup)
+                            to_beam = to_beam + (0.5 if edge else 1.0) * traction
+                            w_next, v_next, shear_next, flux = w, v, shear, zero
+                            if j > 0:
+                                w_next, v_next = load(buf, WM + o - S, W), load(buf, VS + o - S, W)
+                                shear_next = kelvin_voigt(w_next, v_next, G_t, eta_t)
+                                flux = shear - shear_next
+                                if rotation:
+                                    h = o - S  # φ on the half node between rows j−1 and j
+                                    turn, rate = dy * load(buf, PH + h, W), dy * load(buf, VPHS + h, W)
+                                    flux = flux - kelvin_voigt(turn, rate, G_t, eta_t)
+                                    moment = kelvin_voigt(w - w_next - turn, v - v_next - rate, G_m, eta_m)
+                                    d_vphi = dt * per_J * per_dy * moment
+                                    vphi = load(buf, VPH + h, W) + d_vphi
+                                    store(buf, VPH + h, vphi)
+                                    store(buf, VPHS + h, vphi + 0.5 * d_vphi)
+                                    store(buf, PH + h, load(buf, PH + h, W) + dt * vphi)
+                            if k == 0:
+                                flux_below = 0.0 - flux
+                            if j == 0:
+                                flux = 0.0 - flux_below
+                            along = tension(load(buf, WM + o - P, W), w, load(buf, WM + o + P, W), T)
+                            force = along + (flux_below - flux - traction - p_col - p_aero)
+                            before = load(buf, V + o, W)
+                            store(buf, V + o, before + inverse * force)
+                            store(buf, VS + o, before + three_halves * force)
+                            flux_below, w, v, shear = flux, w_next, v_next, shear_next
 
-                    # beam: load per mass, ready for the implicit product
-                    beam = to_beam * dy - K_foun * w_b - C_foun * v_b
-                    store(buf, FB + i, beam * per_rho_l + load(buf, LOAD + i, W) + four_per_dt2 * w_b)
-                    width = load(buf, WIDTH + i, W)
-                    area = area + d_min * width
-                    flow_rate = flow_rate + q * width
-                    contact_area = contact_area + touched * width * dy
-                    slice_largest = where(load(buf, INV + i, W) > 0.0, slice_largest, 0.0)
-                    column = where(slice_largest > largest, load(buf, COLUMN + i, W), column)
-                    largest = maximum(slice_largest, largest)
+                        # beam: load per mass, ready for the implicit product
+                        beam = to_beam * dy - K_foun * w_b - C_foun * v_b
+                        store(buf, FB + i, beam * per_rho_l + load(buf, LOAD + i, W) + four_per_dt2 * w_b)
+                        if closed:
+                            contact_area = contact_area + touched * load(buf, WIDTH + i, W) * dy
+                            slice_largest = where(load(buf, INV + i, W) > 0.0, slice_largest, 0.0)
+                            column = where(slice_largest > largest, load(buf, COLUMN + i, W), column)
+                            largest = maximum(slice_largest, largest)
                 if air is not None and sweep == 0:
                     passed = total(flow_rate)
                     share = viscous_share(passed, total(slope), drop)
                     advance_airways(air, P_s, passed / math.sqrt(drop), share)
-                    inlet, outlet, drop, flow_rate = air[INLET], air[OUTLET], air[DROP], zero
+                    inlet, outlet, drop = air[INLET], air[OUTLET], air[DROP]
 
             if n % record_every == 0:
                 row = n // record_every * COLUMNS
@@ -209,11 +233,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     store(record, row * W + 5 * W, P_s)
                     store(record, row * W + 6 * W, zero)
 
-            # membrane and beam: displacement
-            for j in range(ny):
-                for i in range(C1, END, W):
-                    o = j * S + i
-                    store(buf, WM + o, load(buf, WM + o, W) + dt * load(buf, V + o, W))
+            # displacement of the beam, then of the membrane
             for i in range(C1, END, W):
                 w_b = load(buf, WB + i, W)
                 acceleration = 0.0 - four_per_dt2 * w_b
@@ -226,6 +246,10 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                 store(buf, VB + i, new)
                 store(buf, VBS + i, new + 0.5 * dv)
                 store(buf, WB + i, w_b + dt * new)
+            for j in range(ny):
+                for i in range(C1, END, W):
+                    o = j * S + i
+                    store(buf, WM + o, load(buf, WM + o, W) + dt * load(buf, V + o, W))
 
             if (n + 1) % look_every == 0 or n + 1 == P_s_of.size // P:
                 for j in range(ny):

@@ -185,6 +185,11 @@ def lane(lanes, k):
     return lanes[k]
 
 
+def all_of(mask):
+    """Whether the mask is true in every lane."""
+    return bool(np.all(mask))
+
+
 def total(lanes):
     """The sum over the lanes, halves first: lane k and lane k + count/2, and so on."""
     while len(lanes) > 1:
@@ -247,6 +252,18 @@ def _total(context, builder, sig, args):
         )
         value = builder.fadd(builder.shuffle_vector(value, value, low), builder.shuffle_vector(value, value, high))
     return builder.extract_element(value, INDEX(0))
+
+
+@infer_global(all_of)
+class _AllOfTypes(AbstractTemplate):
+    def generic(self, args, kws):
+        return signature(types.boolean, *args)
+
+
+@lower_builtin(all_of, Mask)
+def _all_of(context, builder, sig, args):
+    bits = ir.IntType(sig.args[0].count)
+    return builder.icmp_unsigned("==", builder.bitcast(args[0], bits), bits(-1))
 
 
 @infer_global(lane)

@@ -6,7 +6,9 @@ coupling   K_coup(y)(w_m − w_b) + C_coup(ẇ_m − ẇ_b)
 shear, ``kelvin_voigt``: ∂_y(G̃ ∂_y w + η̃ ∂_y ẇ); flux on half nodes j+½,
 
     F_{j+½} = (G̃/dy)(w_{j+1} − w_j) + (η̃/dy)(ẇ_{j+1} − ẇ_j)
-    shear_j = (F_{j+½} − F_{j−½})/dy        edges (no flux): 2 F/dy, a half cell of width dy/2
+    shear_j = (F_{j+½} − F_{j−½})/dy        edges (no flux): the flux beyond mirrors the one within
+
+Linear, so F_{j+½} is the difference of two numbers of which each row has one, (G̃ w_j + η̃ ẇ_j)/dy.
 
 shear, ``rotation``: the same with ∂_y w − φ in place of ∂_y w; φ lives on the half nodes and
 obeys  J_m φ̈ = G_m(∂_y w − φ) + η_m(∂_y ẇ − φ̇)   [eq. RotationMembrane].
@@ -28,12 +30,6 @@ def coupling(w_m, v_m, w_b, v_b, K_coup, C_coup):
 
 
 @jit
-def shear_strain(w_low, w_high, phi_dy):
-    """dy (∂_y w − φ) on the half node between two rows (φ = 0 for ``kelvin_voigt``), m; rates alike."""
-    return w_high - w_low - phi_dy
-
-
-@jit
-def shear_flux(strain, strain_rate, G, eta):
-    """Kelvin–Voigt law: G γ + η γ̇."""
-    return G * strain + eta * strain_rate
+def kelvin_voigt(w, v, G, eta):
+    """G w + η v. Linear: the flux between two rows is the difference of their values, less that of dy φ and dy φ̇."""
+    return G * w + eta * v

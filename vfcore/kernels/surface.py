@@ -10,8 +10,8 @@ from vfcore.kernels import contact, flow
 from vfcore.kernels.jit import jit
 
 contact_pressure = contact.contact_pressure
-gap, reciprocal, separation_gap, attached = flow.gap, flow.reciprocal, flow.separation_gap, flow.attached
-cube, viscous_segment, viscous_drop, flux_root = flow.cube, flow.viscous_segment, flow.viscous_drop, flow.flux_root
+gap, separation_gap, attached, square, cube = flow.gap, flow.separation_gap, flow.attached, flow.square, flow.cube
+viscous_segment, viscous_drop, flux_root = flow.viscous_segment, flow.viscous_drop, flow.flux_root
 slice_flux, pressure = flow.slice_flux, flow.pressure
 
 
@@ -36,11 +36,11 @@ def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu
             on = attached(running, upstream, d_sep, d_min)
             upstream = running
             if j > 0:
-                here = cube(reciprocal(gap(G[j, i], w[j, i])))
-                above = cube(reciprocal(gap(G[j - 1, i], w[j - 1, i])))
+                here = cube(1.0 / gap(G[j, i], w[j, i]))
+                above = cube(1.0 / gap(G[j - 1, i], w[j - 1, i]))
                 integral += on * viscous_segment(here, above)
         Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
-        q = slice_flux(inlet - outlet, d_sep, Bd, flux_root(inlet - outlet, Bd, half_rho_a))
+        q = slice_flux(inlet - outlet, d_min, d_sep, Bd, flux_root(inlet - outlet, Bd, half_rho_a))
         integral, upstream = 0.0, math.inf
         for k in range(ny):
             j = ny - 1 - k
@@ -48,9 +48,9 @@ def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu
             running = min(d, upstream)
             on = attached(running, upstream, d_sep, d_min)
             upstream = running
-            attached_pressure = pressure(inlet, q, reciprocal(d), integral, half_rho_a, six_mu_a_dy)
+            attached_pressure = pressure(inlet, q, square(1.0 / d), integral, half_rho_a, six_mu_a_dy)
             p_aero[j, i] = attached_pressure if on else outlet
             p_col[j, i] = contact_pressure(w[j, i], v[j, i], G[j, i], K_col, C_col)
             if j > 0:
-                above = cube(reciprocal(gap(G[j - 1, i], w[j - 1, i])))
-                integral += on * viscous_segment(cube(reciprocal(d)), above)
+                above = cube(1.0 / gap(G[j - 1, i], w[j - 1, i]))
+                integral += on * viscous_segment(cube(1.0 / d), above)
