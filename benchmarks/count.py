@@ -13,6 +13,7 @@ import sys
 
 import numpy as np
 
+TOUCHING_M = 1e-6  # so deep is one row of nodes: the step leaves contact out of columns that are open
 ENOUGH_STEPS = 2  # the second minus the first: what one more step costs
 ARITHMETIC = {np.add, np.subtract, np.multiply, np.divide, np.sqrt, np.negative}
 COMPARISONS = {np.less, np.greater}
@@ -63,6 +64,7 @@ def _count(nx: int, ny: int) -> dict[str, int]:
     fold = prepare(Simulation(run=Run(nx=nx, ny=ny))).fold
     advance = step_kernel(nx, ny, fold.rotation)
     buffer = assemble.new_buffer(fold, DEFAULT_STEP_S).view(Counted)
+    assemble.membrane(buffer, fold)[ny // 2] = fold.medial_plane_m[ny // 2] + TOUCHING_M
     scalars = assemble.scalars(fold, DEFAULT_STEP_S).view(Counted)
     totals = []
     for steps in range(1, ENOUGH_STEPS + 1):

@@ -159,7 +159,7 @@ def _efficiency(kernel_s: float, peak_gflop_s: float, l1_gb_s: float) -> Iterato
     gflop_s = counted["arithmetic"] / per_step_s * 1e-9
     gb_s = counted["accesses"] * 8 / per_step_s * 1e-9
     yield Row("step_us", "one step of the kernel", per_step_s * 1e6, "µs")
-    yield Row("operations", "arithmetic operations a step, as written", counted["arithmetic"], "flop")
+    yield Row("operations", "arithmetic operations a step with contact, as written", counted["arithmetic"], "flop")
     yield Row("bytes", "bytes read and written a step, as written", counted["accesses"] * 8, "B")
     yield Row("state_bytes", "the buffer of a fold", Layout(grid.nx, grid.ny).size * 8, "B")
     yield Row("gflop_s", "kernel: arithmetic", gflop_s, "Gflop/s")

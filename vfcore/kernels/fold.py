@@ -29,8 +29,8 @@ from functools import lru_cache
 
 from vfcore.kernels import airways, contact, flow, membrane
 from vfcore.kernels.jit import inlined
-from vfcore.kernels.lanes import all_of, each, lane, load, maximum, minimum, spread, store, total, where
-from vfcore.kernels.layout import BLOCK, LANES, RECORD, Layout
+from vfcore.kernels.lanes import all_of, each, keep, kept, lane, load, maximum, minimum, spread, store, total, where
+from vfcore.kernels.layout import LANES, RECORD, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
 gap, is_open, opening, size, square, cube = flow.gap, flow.is_open, flow.opening, flow.size, flow.square, flow.cube
@@ -67,9 +67,10 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     S, C1, END, NB = L.stride, L.first, L.first + L.worked, nx - 2
     WM, V, VS, G = L.field("w"), L.field("v"), L.field("v_star"), L.field("G")
     PH, VPH, VPHS = L.field("phi"), L.field("vphi"), L.field("vphi_star")
-    K, ROWS = L.row_numbers // P, ny * W
+    K, ROWS, BLOCK = L.row_numbers // P, ny * W, L.block
     R, M, I = L.scratch("square"), L.scratch("running_min"), L.scratch("viscous")
-    D, Q, SEP = (L.scratch("slice") + k * BLOCK * W for k in range(3))
+    MOST, LEAST = L.scratch("slice"), L.scratch("slice") + BLOCK * W
+    Q, ON = MOST, M  # what is put in the place of numbers that have been read for the last time
     WB, VB, VBS, FB = L.line("w_b"), L.line("v_b"), L.line("v_star_b"), L.line("beam_force")
     LOAD, INV, WIDTH, COLUMN = L.line("beam_load"), L.line("inverse_density"), L.line("width"), L.line("column")
     BI, WORKED, BEYOND = L.beam_inverse, L.worked, L.line("beyond")
@@ -94,6 +95,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
             if air is not None:
                 sweeps, drop = 2, max(abs(air[DROP]), SMALLEST_DROP_PA)
 
+            moved = C1
             for sweep in range(sweeps):
                 area, flow_rate = zero, zero
                 for first in range(C1, END, BLOCK * W):
@@ -114,25 +116,27 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                             store(buf, R + here + j * W, square(r))
                             store(buf, M + here + j * W, smallest)
                             store(buf, I + here + j * W, integral)
-                        store(buf, D + g * W, d_max)
+                        store(buf, MOST + g * W, d_max)
 
                     # separation and flux
                     for g in range(groups):
                         i, here = first + g * W, g * ROWS
                         d_min = load(buf, M + here, W)
-                        d_sep = separation_gap(d_min, load(buf, D + g * W, W), alpha_s)
+                        d_sep = separation_gap(d_min, load(buf, MOST + g * W, W), alpha_s)
                         integral, upstream = zero, far
-                        for k in range(ny - 1):
+                        for k in range(ny):
                             j = ny - 1 - k
                             running = load(buf, M + here + j * W, W)
                             on = attached(running, upstream, d_sep, d_min)
                             upstream = running
-                            integral = where(on, load(buf, I + here + j * W - W, W), integral)
+                            keep(buf, ON + here + j * W, on)
+                            if j > 0:
+                                integral = where(on, load(buf, I + here + j * W - W, W), integral)
                         Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
                         root = flux_root(drop, Bd, half_rho_a)
                         q = slice_flux(drop, d_min, d_sep, Bd, root)
                         store(buf, Q + g * W, q)
-                        store(buf, SEP + g * W, d_sep)
+                        store(buf, LEAST + g * W, d_min)
                         width = load(buf, WIDTH + i, W)
                         area, flow_rate = area + opening(d_min) * width, flow_rate + q * width
                         if air is not None:
@@ -143,21 +147,19 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     # contact, membrane and what the beam feels of it
                     for g in range(groups):
                         i, here = first + g * W, g * ROWS
-                        d_min, d_sep, q = load(buf, M + here, W), load(buf, SEP + g * W, W), load(buf, Q + g * W, W)
+                        d_min, q = load(buf, LEAST + g * W, W), load(buf, Q + g * W, W)
                         closed = not all_of(is_open(d_min))
                         w_b, v_b = load(buf, WB + i, W), load(buf, VBS + i, W)
                         inverse = dt * load(buf, INV + i, W)
                         three_halves = 1.5 * inverse
-                        slice_largest, touched, to_beam, flux_below, upstream = zero, zero, zero, zero, far
+                        slice_largest, touched, to_beam, flux_below = zero, zero, zero, zero
                         w, v = load(buf, WM + (ny - 1) * S + i, W), load(buf, VS + (ny - 1) * S + i, W)
                         shear = kelvin_voigt(w, v, G_t, eta_t)
                         for k in range(ny):
                             j = ny - 1 - k
                             o = j * S + i
                             edge = k == 0 or j == 0
-                            running = load(buf, M + here + j * W, W)
-                            on = attached(running, upstream, d_sep, d_min)
-                            upstream = running
+                            on = kept(buf, ON + here + j * W, W)
                             per_d2, viscous = load(buf, R + here + j * W, W), load(buf, I + here + j * W, W)
                             p_aero = where(on, pressure(inlet, q, per_d2, viscous, half_rho_a, six_mu_a_dy), outlet)
                             p_col = zero
@@ -202,6 +204,14 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                             slice_largest = where(load(buf, INV + i, W) > 0.0, slice_largest, 0.0)
                             column = where(slice_largest > largest, load(buf, COLUMN + i, W), column)
                             largest = maximum(slice_largest, largest)
+
+                    # displacement of columns that no neighbour needs any more, while they are in the cache
+                    if first + BLOCK * W < END:
+                        for i in range(moved, first + (BLOCK - 1) * W, W):
+                            for j in range(ny):
+                                o = j * S + i
+                                store(buf, WM + o, load(buf, WM + o, W) + dt * load(buf, V + o, W))
+                        moved = first + (BLOCK - 1) * W
                 if air is not None and sweep == 0:
                     passed = total(flow_rate)
                     share = viscous_share(passed, total(slope), drop)
@@ -233,7 +243,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     store(record, row * W + 5 * W, P_s)
                     store(record, row * W + 6 * W, zero)
 
-            # displacement of the beam, then of the membrane
+            # displacement of the beam, then of the columns of the membrane that are left
             for i in range(C1, END, W):
                 w_b = load(buf, WB + i, W)
                 acceleration = 0.0 - four_per_dt2 * w_b
@@ -246,8 +256,8 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                 store(buf, VB + i, new)
                 store(buf, VBS + i, new + 0.5 * dv)
                 store(buf, WB + i, w_b + dt * new)
-            for j in range(ny):
-                for i in range(C1, END, W):
+            for i in range(moved, END, W):
+                for j in range(ny):
                     o = j * S + i
                     store(buf, WM + o, load(buf, WM + o, W) + dt * load(buf, V + o, W))
 

@@ -190,6 +190,16 @@ def all_of(mask):
     return bool(np.all(mask))
 
 
+def keep(array, at, mask):
+    """Put ``mask`` where ``kept`` finds it, in place of the lanes at ``at``."""
+    array[at : at + len(mask)] = mask
+
+
+def kept(array, at, count):
+    """The mask that ``keep`` put there."""
+    return array[at : at + count] > 0.0
+
+
 def total(lanes):
     """The sum over the lanes, halves first: lane k and lane k + count/2, and so on."""
     while len(lanes) > 1:
@@ -317,3 +327,39 @@ def _spread(context, builder, sig, args):
 @lower_builtin(lane, Lanes, types.Integer)
 def _lane(context, builder, sig, args):
     return builder.extract_element(args[0], args[1])
+
+
+@infer_global(keep)
+class _KeepTypes(AbstractTemplate):
+    def generic(self, args, kws):
+        array, at, mask = args
+        return signature(types.none, array, types.intp, mask)
+
+
+@infer_global(kept)
+class _KeptTypes(AbstractTemplate):
+    prefer_literal = True
+
+    def generic(self, args, kws):
+        array, at, count = args
+        if isinstance(count, types.IntegerLiteral):
+            return signature(Mask(count.literal_value), array, types.intp, count)
+
+
+def _bits(context, builder, array_type, array, at, count):
+    bits = ir.IntType(count)
+    return builder.bitcast(_pointer(context, builder, array_type, array, at, count), bits.as_pointer()), bits
+
+
+@lower_builtin(keep, types.Array, types.Integer, Mask)
+def _keep(context, builder, sig, args):
+    pointer, bits = _bits(context, builder, sig.args[0], args[0], args[1], sig.args[2].count)
+    builder.store(builder.bitcast(args[2], bits), pointer)
+    return context.get_dummy_value()
+
+
+@lower_builtin(kept, types.Array, types.Integer, types.IntegerLiteral)
+def _kept(context, builder, sig, args):
+    count = sig.return_type.count
+    pointer, bits = _bits(context, builder, sig.args[0], args[0], args[1], count)
+    return builder.bitcast(builder.load(pointer), ir.VectorType(ir.IntType(1), count))

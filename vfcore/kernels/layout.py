@@ -19,8 +19,6 @@ from dataclasses import dataclass
 
 #: Numbers worked on together: 512 bits, twice what most processors take at once, which fills their pipelines.
 LANES = {"float64": 8, "float32": 16}
-#: Groups of columns that the step takes through its phases together: what one group waits for, the others hide.
-BLOCK = 3
 LINE = 8  # numbers (float64) of a cache line
 
 
@@ -71,18 +69,23 @@ class Layout:
         return (len(FIELDS) * self.ny + LINES.index(name)) * self.stride
 
     @property
+    def block(self) -> int:
+        """Groups of columns that the step takes through its phases together, as many as was found to be fastest."""
+        return 3 if self.postures == 1 else 2
+
+    @property
     def row_numbers(self) -> int:
         """Offset of K_coup, ny numbers for each of the postures."""
         return (len(FIELDS) * self.ny + len(LINES)) * self.stride
 
     def scratch(self, name: str) -> int:
         """Offset of scratch for the groups of a block: ny times ``lanes`` numbers each."""
-        return self.row_numbers + (1 + SCRATCH.index(name) * BLOCK) * self.ny * self.lanes
+        return self.row_numbers + (1 + SCRATCH.index(name) * self.block) * self.ny * self.lanes
 
     @property
     def beam_inverse(self) -> int:
         """Offset of (I − dt²A/4)⁻¹, nx−2 rows of ``worked`` numbers, stored by column of the matrix."""
-        return self.row_numbers + (1 + len(SCRATCH) * BLOCK) * self.ny * self.lanes
+        return self.row_numbers + (1 + len(SCRATCH) * self.block) * self.ny * self.lanes
 
     @property
     def size(self) -> int:
@@ -96,8 +99,8 @@ STATE_FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star")
 # State of the beam. Scratch: its load. Fixed: load of the end moments, 1/ρ_s, width of the slice, number of the column.
 # What the last steps saw: displacements beyond all bounds.
 LINES = ("w_b", "v_b", "v_star_b", "beam_force", "beam_load", "inverse_density", "width", "column", "beyond")
-# Of the columns at hand: 1/d_g², min d_g from the inlet, viscous integral; and in the rows of the last one number each,
-# max d_g, then the flux per width, and d_sep.
+# Of the columns at hand: 1/d_g²; min d_g from the inlet, then in its place whether the flow is attached; the viscous
+# integral. In the rows of the last: max d_g, then in its place the flux per width; min d_g.
 SCRATCH = ("square", "running_min", "viscous", "slice")
 
 # Scalars of the step, in this order in the parameter array.

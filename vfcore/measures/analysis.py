@@ -8,6 +8,7 @@ import numpy as np
 from vfcore.measures.cycles import Cycles, cut_cycles
 from vfcore.measures.flow import flow_slope
 from vfcore.measures.glottis import OpenPhases, open_phases
+from vfcore.measures.level import radiated_power_w
 from vfcore.measures.phonation import Phonation, judge_phonation
 from vfcore.measures.signals import Signals, Sound
 
@@ -41,11 +42,23 @@ class Analysis:
     @cached_property
     def contact_cycles(self) -> Cycles:
         """Cycles from area peak to area peak, so that no contact is cut in two."""
-        return self.cycles.between_peaks(self.signals.glottal_area_m2)
+        return self.cycles.between(self._area_peaks)
 
     @cached_property
     def open_phases(self) -> OpenPhases:
-        return open_phases(self.signals.glottal_area_m2, self.cycles)
+        return open_phases(self.signals.glottal_area_m2, self.cycles, self._area_peaks)
+
+    @cached_property
+    def _area_peaks(self) -> np.ndarray:
+        return self.cycles.where_largest(self.signals.glottal_area_m2)
+
+    @cached_property
+    def radiated_power_w(self) -> float:
+        """Power of a simple source that makes the far pressure in the window, W."""
+        s = self.signals
+        return radiated_power_w(
+            self.window(self.sound.far_pressure_pa), s.far_distance_m, s.air_density_kg_m3, s.sound_speed_m_s
+        )
 
     @cached_property
     def flow_slope_m3_s2(self) -> np.ndarray:

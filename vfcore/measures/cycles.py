@@ -79,9 +79,8 @@ class Cycles:
         hits = np.flatnonzero(span == self.spread(np.maximum.reduceat(span, self.offsets)))
         return hits[np.searchsorted(hits, self.offsets)] + self.bounds[0]
 
-    def between_peaks(self, wave: np.ndarray) -> "Cycles":
-        """The same cycles cut at the largest values of ``wave`` instead: one fewer, in whole patterns if possible."""
-        peaks = self.where_largest(wave)
+    def between(self, peaks: np.ndarray) -> "Cycles":
+        """The same cycles cut at one sample within each instead: one fewer, in whole patterns if possible."""
         whole = (len(peaks) - 1) // self.per_pattern * self.per_pattern or len(peaks) - 1
         peaks = peaks[len(peaks) - 1 - whole :]
         return Cycles(peaks.astype(np.float64), peaks, self.per_pattern)

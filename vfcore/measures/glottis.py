@@ -31,17 +31,21 @@ class OpenPhases:
     closes: np.ndarray
 
 
-def open_phases(area_m2: np.ndarray, cycles: Cycles) -> OpenPhases:
-    """Open phases of the minimum glottal area ``area_m2`` (full wave, m²) in ``cycles``."""
+def open_phases(area_m2: np.ndarray, cycles: Cycles, largest_at: np.ndarray) -> OpenPhases:
+    """Open phases of the minimum glottal area ``area_m2`` (full wave, m²) in ``cycles``, whose largest areas are at the
+    samples ``largest_at``.
+    """
     area = cycles.span(area_m2)
     level = cycles.spread(CLOSED_FRACTION * np.maximum.reduceat(area, cycles.offsets))
     is_open = area > level
     crossings = np.flatnonzero(is_open[1:] != is_open[:-1])
     opening = is_open[crossings + 1]
-    rises, falls = crossings[opening], crossings[~opening]
-    ups = rises + 1 - _open_side(area, rises + 1, 1, level)
-    downs = falls + _open_side(area, falls, -1, level)
-    cycle_of_up, cycle_of_down = cycles.cycle_of(rises), cycles.cycle_of(falls)
+    outward = np.where(opening, 1, -1)
+    at = crossings + opening
+    instants = at - outward * _open_side(area, at, outward, level)
+    cycle = cycles.cycle_of(crossings)
+    ups, downs = instants[opening], instants[~opening]
+    cycle_of_up, cycle_of_down = cycle[opening], cycle[~opening]
 
     n = cycles.count
     first, last = cycles.offsets, cycles.offsets + cycles.lengths
@@ -53,17 +57,18 @@ def open_phases(area_m2: np.ndarray, cycles: Cycles) -> OpenPhases:
     opens, closes = minima[:-1] - cycles.bounds[0], minima[1:] - cycles.bounds[0]
     opens[cycle_of_up[::-1]] = ups[::-1]
     closes[cycle_of_down] = downs
-    peaks = refined_extremum(area_m2, cycles.where_largest(area_m2)) - cycles.bounds[0]
+    peaks = refined_extremum(area_m2, largest_at) - cycles.bounds[0]
     return OpenPhases(np.clip((end - begin) / cycles.lengths, 0.0, 1.0), opens, peaks, closes)
 
 
-def _open_side(area: np.ndarray, at: np.ndarray, outward: int, level: np.ndarray) -> np.ndarray:
-    """How far (0 to 1 sample) the crossing lies before the open sample ``at``; ``outward`` points into the open phase.
+def _open_side(area: np.ndarray, at: np.ndarray, outward: np.ndarray, level: np.ndarray) -> np.ndarray:
+    """How far (0 to 1 sample) the crossings lie before the open samples ``at``; ``outward``, 1 or −1, points into the
+    open phase.
 
     The closed neighbour is used if it lies on the flank, that is, if the area falls further beyond it.
     """
-    last = len(area) - 1
-    beyond, closed, value, inside, deeper = (area[np.clip(at + k * outward, 0, last)] for k in (-2, -1, 0, 1, 2))
+    around = np.pad(area, 2, mode="edge")
+    beyond, closed, value, inside, deeper = (around[at + (2 + k * outward)] for k in (-2, -1, 0, 1, 2))
     height = value - level[at]
     # value + slope s + curve s² through the three open samples, s counted towards the closed side.
     curve = 0.5 * (value - 2.0 * inside + deeper)

@@ -43,11 +43,7 @@ def _mean_flow_ml_s(a: Analysis) -> float:
 
 
 def _efficiency(a: Analysis) -> float | Missing:
-    s = a.signals
-    power = level.radiated_power_w(
-        a.window(a.sound.far_pressure_pa), s.far_distance_m, s.air_density_kg_m3, s.sound_speed_m_s
-    )
-    return level.efficiency(power, s.subglottal_pressure_pa, _mean_flow_ml_s(a) * 1e-6)
+    return level.efficiency(a.radiated_power_w, a.signals.subglottal_pressure_pa, _mean_flow_ml_s(a) * 1e-6)
 
 
 ROWS = (

@@ -6,6 +6,7 @@ that cepstrum, in dB, has a peak at the quefrency 1/f_o. CPP is its height above
 cepstrum from 1 ms to the end, averaged over frames.
 """
 
+from collections.abc import Callable
 from functools import lru_cache
 from math import isqrt, log10
 
@@ -43,7 +44,7 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     if len(wave) < length:
         return Missing(f"The measured half of the run is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
     frames = np.lib.stride_tricks.sliding_window_view(wave, length)[::hop]
-    spectrum = fft.rfft((frames - frames.mean(axis=1, keepdims=True)) * np.hamming(length), axis=1)
+    spectrum = fft.rfft((frames - frames.mean(axis=1, keepdims=True)) * _hamming(length), axis=1)
     lines = min(int(CPP_BAND_HZ * length / sample_rate_hz) + 1, spectrum.shape[1])
     power = spectrum.real[:, :lines] ** 2 + spectrum.imag[:, :lines] ** 2
     strongest = power.max(axis=1, keepdims=True)
@@ -69,11 +70,17 @@ def _line(wave: np.ndarray, turn: float) -> float:
     return abs((rows * coarse).sum())
 
 
-@lru_cache(maxsize=4)
-def _hann(n: int) -> np.ndarray:
-    window = np.hanning(n)
-    window.setflags(write=False)
-    return window
+def _kept(window: Callable[[int], np.ndarray]) -> Callable[[int], np.ndarray]:
+    @lru_cache(maxsize=4)
+    def kept(n: int) -> np.ndarray:
+        weights = window(n)
+        weights.setflags(write=False)
+        return weights
+
+    return kept
+
+
+_hann, _hamming = _kept(np.hanning), _kept(np.hamming)
 
 
 def _above_line(cepstrum: np.ndarray, quefrency: np.ndarray) -> np.ndarray:

@@ -10,7 +10,7 @@ from vfcore.sweep.plan import Sweep
 TASK_S = (0.2, 1.0)  # a task is worth its round trip, and its loss or a stop costs little
 TASKS_PER_WORKER = 8  # at least so many, so that all workers end together
 MOST_PER_TASK = 512
-_GUESS_S = 1e-8  # per node and step, before anything was measured: first tasks are rather short than long
+_GUESS_S = 3e-9  # per node and step, before anything was measured: twice what a calm core takes
 _OVERHEAD_S = 2e-3  # per point: posture, coefficients, measures
 
 
