@@ -26,7 +26,7 @@ STORED_TARGET_S = 0.08  # request to stored result of 1 s of voice
 KERNEL_TARGET_S = 0.012  # 1 s of voice on one core
 PAPER_STEP_TARGET_S = 0.2
 PAPER_MINUTE_S = 60.0  # the paper: "under a minute" for a simulation of 1 s
-BATCH_VOICE_S = 0.25
+BATCH_VOICE_S = 1.0
 
 
 class Row(NamedTuple):

@@ -76,7 +76,7 @@ class March:
         progress: Callable[[float], None] | None = None,
         stop: Callable[[], bool] | None = None,
     ) -> np.ndarray:
-        """Advance until ``samples`` are recorded; (samples, 5), layout.RECORD.
+        """Advance until ``samples`` are recorded; (samples, len(RECORD)), layout.RECORD.
 
         Raises Cancelled when ``stop()`` is true between chunks, DivergenceError when the fold leaves all bounds.
         """

@@ -19,6 +19,10 @@ from vfcore.march import diverged, flat_bump, record_every, samples_per_chunk
 from vfcore.statics import StaticShape
 
 
+#: The columns of layout.RECORD that folds differ in: beyond the glottis all are P_s and 0.
+OF_EACH = RECORD[: RECORD.index("inlet_pressure_pa")]
+
+
 class Motion(NamedTuple):
     """One fold to be set in motion: from ``start``, or flat with a bump of 1 nm."""
 
@@ -36,7 +40,7 @@ class Motion(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """The record (samples, 5) of one fold, float64, layout.RECORD, each column contiguous; or why there is none."""
+    """The record (samples, len(OF_EACH)) of one fold, float64, each column contiguous; or why there is none."""
 
     record: np.ndarray | None
     sample_s: float
@@ -112,8 +116,8 @@ class _Batch:
     def run(
         self, samples: int, progress: Callable[[float], None] | None, stop: Callable[[], bool] | None
     ) -> np.ndarray:
-        """Records (len(motions), 5, samples), float64; a fold in ``problems`` has none."""
-        records = np.empty((len(self.motions), len(RECORD), samples))
+        """Records (len(motions), len(OF_EACH), samples), float64; a fold in ``problems`` has none."""
+        records = np.empty((len(self.motions), len(OF_EACH), samples))
         per_chunk = samples_per_chunk(self.motions[0].fold, self.time_step_s)
         room = np.empty((min(per_chunk, samples), len(RECORD), self.folds), self.buffer.dtype)
         for begin in range(0, samples, per_chunk):
@@ -122,7 +126,7 @@ class _Batch:
             end = min(begin + per_chunk, samples)
             chunk = room[: end - begin]
             self._chunk(begin, chunk)
-            records[:, :, begin:end] = chunk[:, :, : len(self.motions)].transpose(2, 1, 0)
+            records[:, :, begin:end] = chunk[:, : len(OF_EACH), : len(self.motions)].transpose(2, 1, 0)
             if progress is not None:
                 progress(end / samples)
             if None not in self.problems:

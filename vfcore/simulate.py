@@ -166,18 +166,14 @@ def _run_with_companions(request: Simulation, progress, stop, prepared_by) -> Si
 
 
 def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
-    """The recorded waveforms by name, (samples,) each: all of a run but its sound."""
-    column = {name: np.ascontiguousarray(record[:, k]) for k, name in enumerate(RECORD)}
-    return {
-        "time_s": np.arange(len(record)) * sample_s,
-        "glottal_area_m2": column["glottal_area_m2"],
-        "glottal_flow_m3_s": column["glottal_flow_m3_s"],
-        "contact_pressure_max_pa": column["contact_pressure_max_pa"],
-        "contact_location": contact_location(record, nx),
-        "contact_area_m2": column["contact_area_m2"],
-        "inlet_pressure_pa": column["inlet_pressure_pa"],
-        "outlet_pressure_pa": column["outlet_pressure_pa"],
-    }
+    """The waveforms by name, (samples,) each, of a record of the first columns of layout.RECORD: all but the sound."""
+    waves = {"time_s": np.arange(len(record)) * sample_s}
+    for k, name in enumerate(RECORD[: record.shape[1]]):
+        if name == "contact_column":
+            waves["contact_location"] = contact_location(record, nx)
+        else:
+            waves[name] = np.ascontiguousarray(record[:, k])
+    return waves
 
 
 def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:

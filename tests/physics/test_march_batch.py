@@ -5,9 +5,8 @@ import pytest
 
 from tests.support.fold_harness import MODAL, product_and_twin
 from vfcore.errors import Cancelled, DivergenceError
-from vfcore.kernels.layout import RECORD
 from vfcore.march import March
-from vfcore.march_batch import Motion, march_many
+from vfcore.march_batch import OF_EACH, Motion, march_many
 from vfcore.params import DEFAULT_STEP_S
 from vfcore.statics import static_shape_of
 
@@ -54,7 +53,7 @@ def test_each_fold_moves_as_it_does_alone():
     some = motions()
     for k, outcome in march_many(some):
         expected = alone(some[k])
-        for column, name in enumerate(RECORD):
+        for column, name in enumerate(OF_EACH):
             scale = np.nanmax(np.abs(expected[:, column]), initial=1e-30)
             assert outcome.record[:, column] == pytest.approx(
                 expected[:, column], rel=1e-12, abs=1e-12 * scale, nan_ok=True
