@@ -18,7 +18,6 @@ from vfcore.kernels.layout import LANES, RECORD, SCALARS, Layout
 from vfcore.march import diverged, flat_bump, record_every, samples_per_chunk
 from vfcore.statics import StaticShape
 
-
 #: The columns of layout.RECORD that folds differ in: beyond the glottis all are P_s and 0.
 OF_EACH = RECORD[: RECORD.index("inlet_pressure_pa")]
 

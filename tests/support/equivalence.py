@@ -2,7 +2,8 @@
 
 ``python -m tests.support.equivalence 300`` prints the report (a second or two a posture). The plain loop is
 ``vocalis_bench.reference``, equal to the slow twin (tests/cli/test_bench.py): semi-implicit Euler, explicit beam,
-1.79 µs. Both waves then take the same measures.
+1.79 µs. Both waves then take the same measures. ``python -m tests.support.equivalence 300 float32`` prints the same of
+batches in single precision beside batches in double.
 """
 
 import sys
@@ -12,8 +13,10 @@ from unittest import mock
 import numpy as np
 
 import vfcore
+from vfcore.batch import run_points
 from vfcore.errors import VocalisError
 from vfcore.march import March
+from vfcore.measures.catalogue import MeasureReport
 from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, Activation, Simulation
 from vocalis_bench.reference import plain_run
 
@@ -61,12 +64,16 @@ def compare(request: Simulation) -> Comparison:
     fast = vfcore.simulate(request)
     with mock.patch.object(sys.modules["vfcore.simulate"], "March", PlainMarch):
         slow = vfcore.simulate(request)
-    deviations = []
+    return deviations(fast.report, slow.report)
+
+
+def deviations(one: MeasureReport, other: MeasureReport) -> Comparison:
+    found = []
     for key, _, relative in BOUNDS:
-        a, b = (run.report.measures[key].value for run in (fast, slow))
+        a, b = (report.measures[key].value for report in (one, other))
         missing = a is None or b is None
-        deviations.append(np.nan if missing else abs(a - b) / (abs(b) if relative and b else 1.0))
-    return Comparison((fast.report.state, slow.report.state), tuple(deviations))
+        found.append(np.nan if missing else abs(a - b) / (abs(b) if relative and b else 1.0))
+    return Comparison((one.state, other.state), tuple(found))
 
 
 def survey(count: int, seed: int = 1) -> list[Comparison]:
@@ -79,6 +86,14 @@ def survey(count: int, seed: int = 1) -> list[Comparison]:
         except VocalisError:
             continue
     return found
+
+
+def survey_precisions(count: int, seed: int = 1) -> list[Comparison]:
+    """``count`` of the postures that ``survey`` draws, those without an answer left out."""
+    rng = np.random.default_rng(seed)
+    requests = [random_request(rng) for _ in range(count)]
+    single, double = (list(run_points(requests, precision=precision)) for precision in ("float32", "float64"))
+    return [deviations(a.report, b.report) for a, b in zip(single, double, strict=True) if a.report and b.report]
 
 
 def report(found: list[Comparison]) -> str:
@@ -98,4 +113,4 @@ def report(found: list[Comparison]) -> str:
 
 
 if __name__ == "__main__":
-    print(report(survey(int(sys.argv[1]))))
+    print(report((survey_precisions if "float32" in sys.argv else survey)(int(sys.argv[1]))))
