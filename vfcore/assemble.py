@@ -7,7 +7,7 @@ import numpy as np
 
 from vfcore.constants import FoldConstants
 from vfcore.kernels.layout import Layout
-from vfcore.kernels.tissue import step_numbers
+from vfcore.kernels.tissue import coupling_stiffness, medial_plane, step_numbers
 from vfcore.params import Simulation
 from vfcore.tissue.beam import beam_operator
 from vfcore.tissue.coefficients import Coefficients
@@ -50,8 +50,7 @@ def assemble(request: Simulation, c: Coefficients, theta_g: float, theta_0: floa
     choices = request.model.resolved()
     x = np.linspace(0.0, c.length_m, nx)
     y = np.linspace(0.0, c.thickness_m, ny)
-    G = x * np.tan(theta_g) + y[:, None] * np.tan(request.convergence_angle_rad)
-    soft, stiff = request.constants.K_coup_min_pa_m, request.constants.K_coup_max_pa_m
+    G = medial_plane(x, y[:, None], np.tan(theta_g), np.tan(request.convergence_angle_rad))
     from_stiff_edge = y / c.thickness_m
     if choices.coupling_gradient == "inferior_stiff":
         from_stiff_edge = 1.0 - from_stiff_edge
@@ -65,7 +64,7 @@ def assemble(request: Simulation, c: Coefficients, theta_g: float, theta_0: floa
         x_m=x,
         y_m=y,
         medial_plane_m=G,
-        K_coup_pa_m=stiff + (soft - stiff) * from_stiff_edge,
+        K_coup_pa_m=coupling_stiffness(from_stiff_edge, request.constants),
         beam_matrix_n_m2=matrix,
         beam_load_n_m=load,
     )

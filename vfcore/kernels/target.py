@@ -14,7 +14,7 @@ from functools import lru_cache
 
 from vfcore.kernels.jit import inlined, jit
 from vfcore.kernels.layout import Layout
-from vfcore.kernels.tissue import beam_ends, longest_step, prestrained, step_numbers
+from vfcore.kernels.tissue import beam_ends, coupling_stiffness, longest_step, medial_plane, prestrained, step_numbers
 
 
 @inlined
@@ -84,15 +84,13 @@ def target_kernel(nx: int, ny: int, rotation: bool):
             return math.nan
         dx, dy = length / (nx - 1), b / (ny - 1)
         opening, leaning = math.tan(theta_g), math.tan(convergence)
-        soft, stiff = c.K_coup_min_pa_m, c.K_coup_max_pa_m
         for j in range(ny):
-            lean, row = j * dy * leaning, G + j * STRIDE
             for i in range(nx):
-                buffer[row + i] = i * dx * opening + lean
+                buffer[G + j * STRIDE + i] = medial_plane(i * dx, j * dy, opening, leaning)
             from_stiff_edge = j / (ny - 1)
             if inferior_stiff:
                 from_stiff_edge = 1.0 - from_stiff_edge
-            buffer[K + j] = stiff + (soft - stiff) * from_stiff_edge
+            buffer[K + j] = coupling_stiffness(from_stiff_edge, c)
         for i in range(NB):
             buffer[LOAD + i], buffer[INV + i], buffer[WIDTH + i] = 0.0, 1.0 / rho_s, dx
         buffer[WIDTH + NB] = 0.5 * dx
@@ -112,6 +110,8 @@ def target_kernel(nx: int, ny: int, rotation: bool):
         numbers = step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c)
         for k in range(len(numbers)):
             scalars[k] = numbers[k]
-        return longest_step(turns > 0, dx, dy, T, G_t, eta_t, rho_s, J, b, rho_l, max(soft, stiff), c)
+        return longest_step(
+            turns > 0, dx, dy, T, G_t, eta_t, rho_s, J, b, rho_l, max(c.K_coup_min_pa_m, c.K_coup_max_pa_m), c
+        )
 
     return fill

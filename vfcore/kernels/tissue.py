@@ -128,6 +128,18 @@ def prestrained(strain, a_ta, c):
 
 
 @formula
+def medial_plane(x, y, opening, leaning):
+    """G, m: how far the resting edge stands from the midline; tangents of θ_g and of the angle of convergence."""
+    return x * opening + y * leaning
+
+
+@formula
+def coupling_stiffness(from_stiff_edge, c):
+    """K_coup, Pa/m, at a share of the thickness from the stiffer edge."""
+    return c.K_coup_max_pa_m + (c.K_coup_min_pa_m - c.K_coup_max_pa_m) * from_stiff_edge
+
+
+@formula
 def beam_ends(dx, mu, lam, M_c, K_r_a, K_r_p, theta_g, theta_0):
     """What the end moments make of the ghost nodes: gain (1) and offset, m, at x = 0, then at x = L."""
     turn = lam**1.5
