@@ -13,7 +13,7 @@ import sys
 
 import numpy as np
 
-TOUCHING_M = 1e-6  # so deep is one row of nodes: the step leaves contact out of columns that are open
+TOUCHING_M = 1e-6  # so deep is one row of nodes: a single run leaves contact out of open columns
 ENOUGH_STEPS = 2  # the second minus the first: what one more step costs
 ARITHMETIC = {np.add, np.subtract, np.multiply, np.divide, np.sqrt, np.negative}
 COMPARISONS = {np.less, np.greater}

@@ -120,7 +120,7 @@ def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
     """Where the fixed fields of number ``place`` of the folds side by side in ``buffer`` stand."""
     first, nx, ny = layout.anterior, layout.nx, layout.ny
 
-    rows = layout.row_numbers
+    rows = layout.K_coup
 
     def inner(name: str) -> np.ndarray:
         return _line(buffer, layout, name)[first + 1 : first + nx - 1, place]

@@ -119,7 +119,7 @@ def radiate(
     flow = np.asarray(flow_m3_s, dtype=np.float64)
     if flow.ndim != 1 or flow.size == 0:
         raise ParameterError("flow_m3_s", f"shape {flow.shape} is not a waveform", "one value per time step")
-    if not np.isfinite(flow.sum()) and not np.isfinite(flow).all():
+    if not np.isfinite(flow).all():
         raise ParameterError("flow_m3_s", "the flow has values that are not finite", "finite values, m³/s")
     taps = response_at(tract, float(time_step_s)).shape[1]
     count = flow.size - first

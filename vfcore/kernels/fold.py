@@ -29,7 +29,7 @@ from functools import lru_cache
 
 from vfcore.kernels import airways, contact, flow, membrane
 from vfcore.kernels.jit import inlined
-from vfcore.kernels.lanes import all_of, each, keep, kept, lane, load, maximum, minimum, spread, store, total, where
+from vfcore.kernels.lanes import all_of, each, lane, load, load_mask, maximum, minimum, spread, store, total, where
 from vfcore.kernels.layout import LANES, RECORD, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
@@ -67,7 +67,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     S, C1, END, NB = L.stride, L.first, L.first + L.worked, nx - 2
     WM, V, VS, G = L.field("w"), L.field("v"), L.field("v_star"), L.field("G")
     PH, VPH, VPHS = L.field("phi"), L.field("vphi"), L.field("vphi_star")
-    K, ROWS, BLOCK = L.row_numbers // P, ny * W, L.block
+    K, ROWS, BLOCK = L.K_coup // P, ny * W, L.block
     R, M, I = L.scratch("square"), L.scratch("running_min"), L.scratch("viscous")
     MOST, LEAST = L.scratch("slice"), L.scratch("slice") + BLOCK * W
     Q, ON = MOST, M  # what is put in the place of numbers that have been read for the last time
@@ -129,7 +129,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                             running = load(buf, M + here + j * W, W)
                             on = attached(running, upstream, d_sep, d_min)
                             upstream = running
-                            keep(buf, ON + here + j * W, on)
+                            store(buf, ON + here + j * W, on)
                             if j > 0:
                                 integral = where(on, load(buf, I + here + j * W - W, W), integral)
                         Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
@@ -159,7 +159,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                             j = ny - 1 - k
                             o = j * S + i
                             edge = k == 0 or j == 0
-                            on = kept(buf, ON + here + j * W, W)
+                            on = load_mask(buf, ON + here + j * W, W)
                             per_d2, viscous = load(buf, R + here + j * W, W), load(buf, I + here + j * W, W)
                             p_aero = where(on, pressure(inlet, q, per_d2, viscous, half_rho_a, six_mu_a_dy), outlet)
                             p_col = zero

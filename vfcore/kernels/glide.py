@@ -24,7 +24,7 @@ def glide_kernel(nx: int, ny: int, rotation: bool):
     # from the first numbers by row on what is no scratch.
     G, FIELDS_END = L.field("G"), L.field("G") + ny * L.stride
     LINES, LINES_END = L.line("beam_load"), L.line("column")
-    K, K_END = L.row_numbers, L.row_numbers + ny
+    K, K_END = L.K_coup, L.K_coup + ny
     BI, SIZE, turns = L.beam_inverse, L.size, int(rotation)
 
     def glide(

@@ -166,7 +166,7 @@ def load(array, at, count):
 
 
 def store(array, at, lanes):
-    """``array[at : at + count] = lanes``."""
+    """``array[at : at + count] = lanes``; compiled, a mask takes one bit a lane of that place (``load_mask``)."""
     array[at : at + len(lanes)] = lanes
 
 
@@ -190,13 +190,8 @@ def all_of(mask):
     return bool(np.all(mask))
 
 
-def keep(array, at, mask):
-    """Put ``mask`` where ``kept`` finds it, in place of the lanes at ``at``."""
-    array[at : at + len(mask)] = mask
-
-
-def kept(array, at, count):
-    """The mask that ``keep`` put there."""
+def load_mask(array, at, count):
+    """The mask that was stored in place of ``count`` neighbours."""
     return array[at : at + count] > 0.0
 
 
@@ -207,14 +202,23 @@ def total(lanes):
     return lanes[0]
 
 
-@infer_global(load)
 class _LoadTypes(AbstractTemplate):
     prefer_literal = True
 
     def generic(self, args, kws):
         array, at, count = args
         if isinstance(count, types.IntegerLiteral):
-            return signature(Lanes(array.dtype, count.literal_value), array, types.intp, count)
+            return signature(self.kind(array, count.literal_value), array, types.intp, count)
+
+
+@infer_global(load)
+class _LoadLanesTypes(_LoadTypes):
+    kind = staticmethod(lambda array, count: Lanes(array.dtype, count))
+
+
+@infer_global(load_mask)
+class _LoadMaskTypes(_LoadTypes):
+    kind = staticmethod(lambda array, count: Mask(count))
 
 
 @infer_global(store)
@@ -319,6 +323,26 @@ def _store(context, builder, sig, args):
     return context.get_dummy_value()
 
 
+def _bits(context, builder, array_type, array, at, count):
+    """Where the bits of a mask are, and their type."""
+    bits = ir.IntType(count)
+    return builder.bitcast(_pointer(context, builder, array_type, array, at, count), bits.as_pointer()), bits
+
+
+@lower_builtin(store, types.Array, types.Integer, Mask)
+def _store_mask(context, builder, sig, args):
+    pointer, bits = _bits(context, builder, sig.args[0], args[0], args[1], sig.args[2].count)
+    builder.store(builder.bitcast(args[2], bits), pointer)
+    return context.get_dummy_value()
+
+
+@lower_builtin(load_mask, types.Array, types.Integer, types.IntegerLiteral)
+def _load_mask(context, builder, sig, args):
+    count = sig.return_type.count
+    pointer, _ = _bits(context, builder, sig.args[0], args[0], args[1], count)
+    return builder.bitcast(builder.load(pointer), ir.VectorType(ir.IntType(1), count))
+
+
 @lower_builtin(spread, types.Float, types.Array, types.IntegerLiteral)
 def _spread(context, builder, sig, args):
     return _as(sig.return_type, context, builder, args[0], sig.args[0])
@@ -327,39 +351,3 @@ def _spread(context, builder, sig, args):
 @lower_builtin(lane, Lanes, types.Integer)
 def _lane(context, builder, sig, args):
     return builder.extract_element(args[0], args[1])
-
-
-@infer_global(keep)
-class _KeepTypes(AbstractTemplate):
-    def generic(self, args, kws):
-        array, at, mask = args
-        return signature(types.none, array, types.intp, mask)
-
-
-@infer_global(kept)
-class _KeptTypes(AbstractTemplate):
-    prefer_literal = True
-
-    def generic(self, args, kws):
-        array, at, count = args
-        if isinstance(count, types.IntegerLiteral):
-            return signature(Mask(count.literal_value), array, types.intp, count)
-
-
-def _bits(context, builder, array_type, array, at, count):
-    bits = ir.IntType(count)
-    return builder.bitcast(_pointer(context, builder, array_type, array, at, count), bits.as_pointer()), bits
-
-
-@lower_builtin(keep, types.Array, types.Integer, Mask)
-def _keep(context, builder, sig, args):
-    pointer, bits = _bits(context, builder, sig.args[0], args[0], args[1], sig.args[2].count)
-    builder.store(builder.bitcast(args[2], bits), pointer)
-    return context.get_dummy_value()
-
-
-@lower_builtin(kept, types.Array, types.Integer, types.IntegerLiteral)
-def _kept(context, builder, sig, args):
-    count = sig.return_type.count
-    pointer, bits = _bits(context, builder, sig.args[0], args[0], args[1], count)
-    return builder.bitcast(builder.load(pointer), ir.VectorType(ir.IntType(1), count))

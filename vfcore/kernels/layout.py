@@ -74,18 +74,18 @@ class Layout:
         return 3 if self.postures == 1 else 2
 
     @property
-    def row_numbers(self) -> int:
-        """Offset of K_coup, ny numbers for each of the postures."""
+    def K_coup(self) -> int:
+        """Offset of the coupling stiffness, ny numbers for each of the postures."""
         return (len(FIELDS) * self.ny + len(LINES)) * self.stride
 
     def scratch(self, name: str) -> int:
         """Offset of scratch for the groups of a block: ny times ``lanes`` numbers each."""
-        return self.row_numbers + (1 + SCRATCH.index(name) * self.block) * self.ny * self.lanes
+        return self.K_coup + (1 + SCRATCH.index(name) * self.block) * self.ny * self.lanes
 
     @property
     def beam_inverse(self) -> int:
         """Offset of (I − dt²A/4)⁻¹, nx−2 rows of ``worked`` numbers, stored by column of the matrix."""
-        return self.row_numbers + (1 + len(SCRATCH) * self.block) * self.ny * self.lanes
+        return self.K_coup + (1 + len(SCRATCH) * self.block) * self.ny * self.lanes
 
     @property
     def size(self) -> int:

@@ -65,7 +65,7 @@ def target_kernel(nx: int, ny: int, rotation: bool):
     """The compiled ``fill`` for one grid."""
     L = Layout(nx, ny)
     STRIDE, FIRST, NB, BI, WORKED = L.stride, L.first, nx - 2, L.beam_inverse, L.worked
-    G, K = L.field("G") + L.anterior, L.row_numbers
+    G, K = L.field("G") + L.anterior, L.K_coup
     LOAD, INV, WIDTH = (L.line(name) + FIRST for name in ("beam_load", "inverse_density", "width"))
     turns = int(rotation)
 

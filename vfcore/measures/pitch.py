@@ -101,8 +101,6 @@ class Autocorrelation:
 def parabola_vertex(before, at, after):
     """Offset (samples, within ±1/2) and height of the extremum of the parabola through three neighbours."""
     curvature = before - 2.0 * at + after
-    flat = curvature == 0.0
-    unbounded = 0.5 * (before - after) / (curvature + flat)
-    # ½(|x + ½| − |x − ½|) is x kept within ±½; operators alone are ten times as fast for three numbers as np.clip.
-    offset = (0.5 - 0.5 * flat) * (abs(unbounded + 0.5) - abs(unbounded - 0.5))
+    safe = np.where(curvature == 0.0, 1.0, curvature)
+    offset = np.where(curvature == 0.0, 0.0, np.clip(0.5 * (before - after) / safe, -0.5, 0.5))
     return offset, at - 0.25 * (before - after) * offset

@@ -30,7 +30,7 @@ def h1_h2_db(wave: np.ndarray, fo_hz: float, sample_rate_hz: float) -> float | M
 
     Hann window; each harmonic is read at its exact frequency.
     """
-    weighted = (wave - wave.mean()) * _hann(len(wave))
+    weighted = (wave - wave.mean()) * _window(np.hanning, len(wave))
     turn = 2.0 * np.pi * fo_hz / sample_rate_hz
     h1, h2 = _line(weighted, turn), _line(weighted, 2.0 * turn)
     if h1 == 0.0 or h2 == 0.0:
@@ -44,7 +44,7 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     if len(wave) < length:
         return Missing(f"The measured half of the run is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
     frames = np.lib.stride_tricks.sliding_window_view(wave, length)[::hop]
-    spectrum = fft.rfft((frames - frames.mean(axis=1, keepdims=True)) * _hamming(length), axis=1)
+    spectrum = fft.rfft((frames - frames.mean(axis=1, keepdims=True)) * _window(np.hamming, length), axis=1)
     lines = min(int(CPP_BAND_HZ * length / sample_rate_hz) + 1, spectrum.shape[1])
     power = spectrum.real[:, :lines] ** 2 + spectrum.imag[:, :lines] ** 2
     strongest = power.max(axis=1, keepdims=True)
@@ -70,17 +70,11 @@ def _line(wave: np.ndarray, turn: float) -> float:
     return abs((rows * coarse).sum())
 
 
-def _kept(window: Callable[[int], np.ndarray]) -> Callable[[int], np.ndarray]:
-    @lru_cache(maxsize=4)
-    def kept(n: int) -> np.ndarray:
-        weights = window(n)
-        weights.setflags(write=False)
-        return weights
-
-    return kept
-
-
-_hann, _hamming = _kept(np.hanning), _kept(np.hamming)
+@lru_cache(maxsize=8)
+def _window(shape: Callable[[int], np.ndarray], n: int) -> np.ndarray:
+    weights = shape(n)
+    weights.setflags(write=False)
+    return weights
 
 
 def _above_line(cepstrum: np.ndarray, quefrency: np.ndarray) -> np.ndarray:
