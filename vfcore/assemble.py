@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vfcore.constants import FoldConstants
+from vfcore.kernels.banded import factor
 from vfcore.kernels.layout import Layout
 from vfcore.kernels.tissue import coupling_stiffness, medial_plane, step_numbers
 from vfcore.params import Simulation
@@ -103,8 +104,8 @@ def new_buffer(fold: Fold, time_step_s: float) -> np.ndarray:
 
 
 class Fixed(NamedTuple):
-    """Views of the fixed fields of one fold in a buffer, by their names in layout.py; the beam's inverse (nx−2, nx−2)
-    transposed, as it is stored."""
+    """Views of the fixed fields of one fold in a buffer, by their names in layout.py. ``beam``: what solves for it, of
+    one fold the inverse (nx−2, nx−2), transposed as it is stored, of many the factors per_D, a and c (3, nx−2)."""
 
     G: np.ndarray
     medial: np.ndarray
@@ -113,7 +114,7 @@ class Fixed(NamedTuple):
     width: np.ndarray
     column: np.ndarray
     beam_load: np.ndarray
-    beam_inverse: np.ndarray
+    beam: np.ndarray
 
 
 def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
@@ -125,6 +126,11 @@ def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
     def inner(name: str) -> np.ndarray:
         return _line(buffer, layout, name)[first + 1 : first + nx - 1, place]
 
+    if layout.postures == 1:
+        beam = buffer[layout.beam_inverse :].reshape(nx - 2, layout.columns)[:, : nx - 2]
+    else:
+        lines = layout.line("per_D"), layout.line("beyond")
+        beam = buffer[slice(*lines)].reshape(3, -1, layout.postures)[:, first + 1 : first + nx - 1, place]
     field = _field(buffer, layout, "G")[:, :, place]
     return Fixed(
         field,
@@ -134,7 +140,7 @@ def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
         _line(buffer, layout, "width")[first + 1 : first + nx, place],
         _line(buffer, layout, "column")[:, place],
         inner("beam_load"),
-        buffer[layout.beam_inverse :].reshape(nx - 2, layout.columns, layout.postures)[:, : nx - 2, place],
+        beam,
     )
 
 
@@ -143,11 +149,6 @@ def fill(buffer: np.ndarray, layout: Layout, place: int, fold: Fold, time_step_s
     views = fixed(buffer, layout, place)
     views.G[:] = 1.0  # idle columns: far from contact
     views.column[:] = np.arange(layout.stride // layout.postures) - layout.anterior
-    refill(views, fold, time_step_s)
-
-
-def refill(views: Fixed, fold: Fold, time_step_s: float) -> None:
-    """Write what depends on posture and tissue; grid and place are those the buffer was filled for."""
     c = fold.coefficients
     views.medial[:] = fold.medial_plane_m
     views.K_coup[:] = fold.K_coup_pa_m
@@ -155,8 +156,15 @@ def refill(views: Fixed, fold: Fold, time_step_s: float) -> None:
     views.width[:] = fold.dx
     views.width[-1] = 0.5 * fold.dx
     views.beam_load[:] = fold.beam_load_n_m / c.beam_density_kg_m
-    A = fold.beam_matrix_n_m2 / c.beam_density_kg_m
-    views.beam_inverse[:] = np.linalg.inv(np.eye(fold.nx - 2) - 0.25 * time_step_s**2 * A).T
+    M = np.eye(fold.nx - 2) - 0.25 * time_step_s**2 / c.beam_density_kg_m * fold.beam_matrix_n_m2
+    views.beam[:] = np.linalg.inv(M).T if layout.postures == 1 else _factors(M)
+
+
+def _factors(M: np.ndarray) -> np.ndarray:
+    D, a, c = np.zeros((3, len(M)))
+    D[:] = M.diagonal()
+    factor(D, M[0, 1], M[0, 2], a, c)
+    return np.array([1.0 / D, a, c])
 
 
 def _field(buffer: np.ndarray, layout: Layout, name: str) -> np.ndarray:

@@ -7,8 +7,9 @@ import vfcore
 from vfcore import assemble
 from vfcore.errors import ParameterError
 from vfcore.gesture.glide import GlidingFold, Goal, packed
+from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.layout import SCALARS, Layout
-from vfcore.kernels.target import invert_banded, target_kernel
+from vfcore.kernels.target import target_kernel
 from vfcore.march import March
 from vfcore.params import DEFAULT_STEP_S, Activation, Model, PostureOverride, Run, Simulation
 from vfcore.simulate import prepare
@@ -69,7 +70,9 @@ def test_the_banded_inverse_is_the_inverse():
         for shift, value in ((1, first), (2, second)):
             matrix += value * (np.eye(n, k=shift) + np.eye(n, k=-shift))
         found = np.full((n, n + 3), 7.0)
-        invert_banded(diagonal.copy(), first, second, np.empty(2 * n), found.reshape(-1), n, n + 3)
+        D, (a, c) = diagonal.copy(), np.empty((2, n))
+        factor(D, first, second, a, c)
+        invert(D, a, c, found.reshape(-1), n + 3)
         right = np.linalg.inv(matrix)
         np.testing.assert_allclose(found[:, :n], right, rtol=0, atol=1e-13 * np.abs(right).max())
         assert (found[:, n:] == 7.0).all(), "idle columns stay"

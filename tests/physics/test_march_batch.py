@@ -13,7 +13,8 @@ from vfcore.statics import static_shape_of
 OPEN_BACK = {"strain": -0.004, "a_ta": 0.4, "theta_g": 0.192}
 LONG = {"strain": 0.23, "a_ta": 0.0, "theta_g": 0.018}
 SHAPES = (MODAL, OPEN_BACK, LONG, MODAL | {"shear": "rotation"}, MODAL | {"nx": 12, "ny": 6})
-CASES = [case | {"theta_conv": conv} for conv in (0.02, 0.05) for case in SHAPES]
+OVERLAPPING = MODAL | {"theta_g": 0.0, "theta_conv": -0.02}  # along its whole length, ends included
+CASES = [*(case | {"theta_conv": conv} for conv in (0.02, 0.05) for case in SHAPES), OVERLAPPING]
 
 
 def motions(duration_s=0.02):

@@ -10,7 +10,9 @@ trapezoidal rule for its own stiffness A (tension, bending, end moments, per mas
     (w_b^{n+1} − 2 w_b^n + w_b^{n−1})/dt² = (I − dt²A/4)⁻¹ (A w_b^n + f/ρ_l)
 
 which is unconditionally stable and undamped. With S = (I − dt²A/4)⁻¹ and SA = (4/dt²)(S − I)
-the right side is S (f/ρ_l + 4/dt² w_b) − 4/dt² w_b: one dense product per step.
+the right side is S (f/ρ_l + 4/dt² w_b) − 4/dt² w_b. Of one fold, whose columns are the lanes, that is one dense
+product per step. Of many it is a substitution forwards, column by column as the loads come up, and one backwards, with
+the factors of I − dt²A/4 (kernels/banded.py): a quarter of the operations and a seventh of the numbers.
 
 Kept between steps: w, v^{n−½} and v*, so that every damper reads v* without computing it again. With F/ρ_s = a both
 come from v^{n−½} by one multiply-add each, the next v* being v^{n−½} + (3/2) dt a.
@@ -74,6 +76,8 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     WB, VB, VBS, FB = L.line("w_b"), L.line("v_b"), L.line("v_star_b"), L.line("beam_force")
     LOAD, INV, WIDTH, COLUMN = L.line("beam_load"), L.line("inverse_density"), L.line("width"), L.line("column")
     BI, WORKED, BEYOND = L.beam_inverse, L.worked, L.line("beyond")
+    HELD = END - W if many else END  # the posterior end: of many folds a group of its own, in which nothing moves
+    PER_D, A_1, A_2 = L.line("per_D"), L.line("a"), L.line("c")
 
     @inlined
     def advance(buf, par, P_s_of, record_every, record, air=None):
@@ -95,7 +99,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
             if air is not None:
                 sweeps, drop = 2, max(abs(air[DROP]), SMALLEST_DROP_PA)
 
-            moved = C1
+            moved, y_1, y_2 = C1, zero, zero
             for sweep in range(sweeps):
                 area, flow_rate = zero, zero
                 for first in range(C1, END, BLOCK * W):
@@ -147,6 +151,13 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     # contact, membrane and what the beam feels of it
                     for g in range(groups):
                         i, here = first + g * W, g * ROWS
+                        if i == HELD:  # at rest, yet the folds may touch there
+                            touched = zero
+                            for j in range(ny):
+                                met = touching(load(buf, WM + j * S + i, W), load(buf, G + j * S + i, W))
+                                touched = where(met, touched + (0.5 if j == 0 or j == ny - 1 else 1.0), touched)
+                            contact_area = contact_area + touched * load(buf, WIDTH + i, W) * dy
+                            continue
                         d_min, q = load(buf, LEAST + g * W, W), load(buf, Q + g * W, W)
                         closed = many or not all_of(is_open(d_min))  # among many folds some nearly always are
                         w_b, v_b = load(buf, WB + i, W), load(buf, VBS + i, W)
@@ -198,7 +209,11 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
 
                         # beam: load per mass, ready for the implicit product
                         beam = to_beam * dy - K_foun * w_b - C_foun * v_b
-                        store(buf, FB + i, beam * per_rho_l + load(buf, LOAD + i, W) + four_per_dt2 * w_b)
+                        rhs = beam * per_rho_l + load(buf, LOAD + i, W) + four_per_dt2 * w_b
+                        if many:
+                            rhs = rhs - load(buf, A_1 + i, W) * y_1 - load(buf, A_2 + i, W) * y_2
+                            y_1, y_2 = rhs, y_1
+                        store(buf, FB + i, rhs)
                         if closed:
                             contact_area = contact_area + touched * load(buf, WIDTH + i, W) * dy
                             slice_largest = where(load(buf, INV + i, W) > 0.0, slice_largest, 0.0)
@@ -244,19 +259,26 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     store(record, row * W + 6 * W, zero)
 
             # displacement of the beam, then of the columns of the membrane that are left
-            for i in range(C1, END, W):
+            near, far_off = zero, zero  # what the node behind takes from the last one, and the one behind that
+            for first in range(C1, HELD, W):
+                i = C1 + HELD - W - first
                 w_b = load(buf, WB + i, W)
                 acceleration = 0.0 - four_per_dt2 * w_b
-                for k in range(NB):
-                    acceleration = acceleration + load(buf, BI + k * WORKED + i - C1, W) * each(
-                        buf, (FB + C1) // P + k, P, W
-                    )
+                if many:
+                    solved = load(buf, FB + i, W) * load(buf, PER_D + i, W) - near
+                    near, far_off = far_off + load(buf, A_1 + i, W) * solved, load(buf, A_2 + i, W) * solved
+                    acceleration = acceleration + solved
+                else:
+                    for k in range(NB):
+                        acceleration = acceleration + load(buf, BI + k * WORKED + i - C1, W) * each(
+                            buf, (FB + C1) // P + k, P, W
+                        )
                 dv = dt * acceleration
                 new = load(buf, VB + i, W) + dv
                 store(buf, VB + i, new)
                 store(buf, VBS + i, new + 0.5 * dv)
                 store(buf, WB + i, w_b + dt * new)
-            for i in range(moved, END, W):
+            for i in range(moved, HELD, W):
                 for j in range(ny):
                     o = j * S + i
                     store(buf, WM + o, load(buf, WM + o, W) + dt * load(buf, V + o, W))

@@ -84,21 +84,27 @@ class Layout:
 
     @property
     def beam_inverse(self) -> int:
-        """Offset of (I − dt²A/4)⁻¹, nx−2 rows of ``worked`` numbers, stored by column of the matrix."""
+        """Offset of (I − dt²A/4)⁻¹ of one fold, nx−2 rows of ``worked`` numbers, stored by column of the matrix; many
+        folds have its factors instead, among the lines.
+        """
         return self.K_coup + (1 + len(SCRATCH) * self.block) * self.ny * self.lanes
 
     @property
     def size(self) -> int:
-        return self.beam_inverse + (self.nx - 2) * self.worked
+        return self.beam_inverse + (self.nx - 2 if self.postures == 1 else 0) * self.worked
 
 
 # State: displacement, velocity at the half step, velocity extrapolated to the time of the displacement; phi likewise.
 # Fixed: medial plane G.
 FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star", "G")
 STATE_FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star")
-# State of the beam. Scratch: its load. Fixed: load of the end moments, 1/ρ_s, width of the slice, number of the column.
+# State of the beam. Scratch: its load. Fixed: load of the end moments, 1/ρ_s, width of the slice, number of the column;
+# of many folds the factors of I − dt²A/4 (kernels/banded.py), 1/D, a and c.
 # What the last steps saw: displacements beyond all bounds.
-LINES = ("w_b", "v_b", "v_star_b", "beam_force", "beam_load", "inverse_density", "width", "column", "beyond")
+LINES = (
+    "w_b", "v_b", "v_star_b", "beam_force", "beam_load", "inverse_density", "width", "column", "per_D", "a", "c",
+    "beyond",
+)  # fmt: skip
 # Of the columns at hand: 1/d_g²; min d_g from the inlet, then in its place whether the flow is attached; the viscous
 # integral. In the rows of the last: max d_g, then in its place the flux per width; min d_g.
 SCRATCH = ("square", "running_min", "viscous", "slice")

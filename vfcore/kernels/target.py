@@ -2,68 +2,21 @@
 
 A hand that moves asks for this a hundred times a second. Array by array in Python it takes ten times as long, and more
 where the processor was just woken for it. Twin: vfcore/assemble.py.
-
-The beam's implicit matrix M = I − dt²A/4 is symmetric with two diagonals on either side (vfcore/tissue/beam.py; the end
-moments change its corners only), so its inverse comes from M = L D Lᵀ with two diagonals in L, all columns at once:
-
-    D_i = m_ii − a_i² D_{i−1} − c_i² D_{i−2},   c_i = f/D_{i−2},   a_i = (e − c_i D_{i−2} a_{i−1})/D_{i−1}
 """
 
 import math
 from functools import lru_cache
 
-from vfcore.kernels.jit import inlined, jit
+from vfcore.kernels import banded
+from vfcore.kernels.jit import jit
 from vfcore.kernels.layout import Layout
 from vfcore.kernels.tissue import beam_ends, coupling_stiffness, longest_step, medial_plane, prestrained, step_numbers
-
-
-@inlined
-def invert_banded(diagonal, first, second, work, inverse, n, stride):
-    """Fill the first ``n`` columns of ``inverse``, n rows of ``stride`` numbers, with that of a symmetric matrix.
-
-    ``diagonal`` (n,), with ``first`` and ``second`` beside it everywhere; ``work`` (2·n,) is scratch, and ``diagonal``
-    is overwritten. No pivoting: for matrices that are positive definite.
-    """
-    for i in range(n):
-        a = c = 0.0
-        if i > 1:
-            c = second / diagonal[i - 2]
-        if i > 0:
-            a = (first - c * diagonal[i - 2] * work[i - 1] if i > 1 else first) / diagonal[i - 1]
-            diagonal[i] -= a * a * diagonal[i - 1]
-        if i > 1:
-            diagonal[i] -= c * c * diagonal[i - 2]
-        work[i], work[n + i] = a, c
-        row = i * stride
-        for k in range(n):
-            inverse[row + k] = 1.0 if k == i else 0.0
-        if i > 0:
-            for k in range(n):
-                inverse[row + k] -= a * inverse[row - stride + k]
-        if i > 1:
-            for k in range(n):
-                inverse[row + k] -= c * inverse[row - 2 * stride + k]
-    for i in range(n):
-        per = 1.0 / diagonal[i]
-        for k in range(n):
-            inverse[i * stride + k] *= per
-    for j in range(n):
-        i = n - 1 - j
-        row = i * stride
-        if i + 1 < n:
-            a = work[i + 1]
-            for k in range(n):
-                inverse[row + k] -= a * inverse[row + stride + k]
-        if i + 2 < n:
-            c = work[n + i + 2]
-            for k in range(n):
-                inverse[row + k] -= c * inverse[row + 2 * stride + k]
 
 
 @lru_cache(maxsize=32)
 def target_kernel(nx: int, ny: int, rotation: bool):
     """The compiled ``fill`` for one grid."""
-    L = Layout(nx, ny)
+    factor, invert, L = banded.factor, banded.invert, Layout(nx, ny)
     STRIDE, FIRST, NB, BI, WORKED = L.stride, L.first, nx - 2, L.beam_inverse, L.worked
     G, K = L.field("G") + L.anterior, L.K_coup
     LOAD, INV, WIDTH = (L.line(name) + FIRST for name in ("beam_load", "inverse_density", "width"))
@@ -105,7 +58,9 @@ def target_kernel(nx: int, ny: int, rotation: bool):
         work[0] += quarter * bend * gain_0
         work[NB - 1] += quarter * bend * gain_L
         first, second = -quarter * (pull + 4.0 * bend), quarter * bend
-        invert_banded(work[:NB], first, second, work[NB:], buffer[BI:], NB, WORKED)
+        D, a, c_2 = work[:NB], work[NB : 2 * NB], work[2 * NB : 3 * NB]
+        factor(D, first, second, a, c_2)
+        invert(D, a, c_2, buffer[BI:], WORKED)
 
         numbers = step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c)
         for k in range(len(numbers)):
