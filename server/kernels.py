@@ -9,7 +9,7 @@ from multiprocessing.process import BaseProcess
 from vfcore.simulate import prepare, simulate
 from vfcore.version import MODEL_VERSION
 from vocalis_server.problems import NotReady
-from vocalis_server.warm import COUPLED, SHORTEST, compile_behind
+from vocalis_server.warm import COUPLED, IRREGULAR, PERIODIC, compile_behind
 
 log = logging.getLogger("vocalis")
 WAIT_S = 30.0  # for a first compilation on a slow machine
@@ -45,10 +45,11 @@ class Kernels:
         began = time.perf_counter()
         try:
             self.message = "compiling the posture equations (1 of 2)"
-            prepare(SHORTEST)
+            prepare(PERIODIC)
             self._postures.set()
             self.message = "compiling the step of the fold (2 of 2)"
-            simulate(SHORTEST)
+            for voice in (PERIODIC, IRREGULAR):
+                simulate(voice)
         except Exception as error:
             self._failed = True
             self.message = f"the kernels could not be compiled: {error}"

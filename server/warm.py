@@ -7,6 +7,7 @@ takes as long again; a process of low priority does it, so that neither answers 
 import os
 import signal
 from contextlib import suppress
+from dataclasses import replace
 from multiprocessing import get_context
 from multiprocessing.process import BaseProcess
 
@@ -17,7 +18,9 @@ from vfcore.params import Model, Run, Simulation
 from vfcore.simulate import simulate
 from vocalis_server.live.rehearsal import rehearse
 
-SHORTEST = Simulation(run=Run(duration_s=0.02))
+#: Voices long enough to be judged, for every state needs measures of its own.
+PERIODIC = Simulation(run=Run(duration_s=0.3))
+IRREGULAR = replace(PERIODIC, activation=replace(PERIODIC.activation, ct=0.0, ta=0.8))
 COUPLED = Simulation(model=Model(coupling="two_way"), run=Run(duration_s=0.02))
 _COMPLETE = "complete"  # the file that says so, beside the kernels
 _NICENESS = 10
@@ -25,12 +28,12 @@ _NICENESS = 10
 
 def compile_everything() -> None:
     """Compile, or load: runs alone and coupled, played voices, many side by side in both precisions."""
-    for request in (SHORTEST, COUPLED):
+    for request in (PERIODIC, IRREGULAR, COUPLED):
         simulate(request)
     rehearse()
     Voice(Simulation()).advance(Simulation(vowel="i"))  # a gesture: with the sound at 0.3 m
     for precision in PRECISIONS:
-        list(run_points([SHORTEST], precision=precision))
+        list(run_points([PERIODIC], precision=precision))
     with suppress(OSError):  # a folder that others own
         (kernel_directory() / _COMPLETE).touch()
 

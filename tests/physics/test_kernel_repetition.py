@@ -18,6 +18,10 @@ def twin(wave: np.ndarray, lag_min: int) -> float:
     return next(peak.lag for peak in peaks if peak.height >= NEARLY * highest)
 
 
+def period(values: np.ndarray, rise: float) -> float:
+    return first_period(values, 2, rise, LEAST, NEARLY, *np.empty((2, len(values) // 2 + 1)))
+
+
 def test_likeness_and_period_are_those_of_the_transform():
     """Tolerance 1e-12: rounding of sums of a few hundred products."""
     rng, found = np.random.default_rng(4), []
@@ -28,7 +32,7 @@ def test_likeness_and_period_are_those_of_the_transform():
             values = np.empty(count // 2 + 2)
             likeness(wave, np.empty(count), values)
             np.testing.assert_allclose(values, Autocorrelation(wave).values, rtol=0, atol=1e-12)
-            lag = first_period(values, 2, PEAK_RISE, LEAST, NEARLY)
+            lag = period(values, PEAK_RISE)
             assert lag == pytest.approx(twin(wave, 2), rel=1e-12, nan_ok=True)
             found.append(np.isnan(lag))
     assert 2 < sum(found) < len(found) - 2, "some have a period and some have none"
@@ -45,5 +49,5 @@ def test_a_ripple_on_the_way_down_from_lag_0_is_no_period():
     wave = np.sin(2 * np.pi * t / 100) + 0.2 * np.sin(2 * np.pi * t / 4)
     values = np.empty(152)
     likeness(wave, np.empty(300), values)
-    assert first_period(values, 2, 0.0, LEAST, NEARLY) < 10
-    assert first_period(values, 2, PEAK_RISE, LEAST, NEARLY) == pytest.approx(100, rel=0.05)
+    assert period(values, 0.0) < 10
+    assert period(values, PEAK_RISE) == pytest.approx(100, rel=0.05)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from tests.support.synthetic_waves import MM2, RATE_HZ, alternating, signals_from, steady_phase, times, triangle
+from vfcore.kernels.repetition import vertex
 from vfcore.measures import measure_all
-from vfcore.measures.pitch import parabola_vertex
 
 RATES = [60.0, 97.3, 149.6, 233.7, 371.0, 499.7]
 T = times()
@@ -180,6 +180,6 @@ def test_the_state_does_not_depend_on_the_sample_rate(fo_hz, rate_hz):
 
 def test_the_vertex_of_a_nearly_straight_rise_is_kept_at_half_a_sample():
     """The parabola's own extremum is then 10¹⁵ samples away."""
-    offset, height = parabola_vertex(-1.0, 0.0, np.nextafter(1.0, 0.0))
+    offset, height = vertex(-1.0, 0.0, np.nextafter(1.0, 0.0))
     assert offset == 0.5
     assert height == pytest.approx(0.25)

@@ -127,14 +127,12 @@ def radiate(
     length = next_fast_len(block + taps - 1, real=True)
     spectra = _spectra_at(tract, float(time_step_s), length)
     hop = length - taps + 1
-    rows = (0, 1, 2) if mouth_flow else (0, 2)
-    sound = {row: np.empty(count) for row in rows}
+    rows = slice(None) if mouth_flow else slice(None, None, 2)
+    sound = np.empty((len(spectra[rows]), count))
     for start in range(0, count, hop):  # overlap-save: a block reads the flow as far back as the response reaches
         begin, end = first + start - taps + 1, min(first + start + hop, flow.size)
         heard = np.zeros(length)
         heard[max(-begin, 0) : end - begin] = flow[max(begin, 0) : end]
-        spectrum = rfft(heard, overwrite_x=True)
-        for row, waveform in sound.items():
-            part = irfft(spectrum * spectra[row], length, overwrite_x=True)
-            waveform[start : start + hop] = part[taps - 1 : taps - 1 + end - first - start]
-    return Radiated(sound[0], sound.get(1), sound[2])
+        parts = irfft(rfft(heard, overwrite_x=True) * spectra[rows], length, axis=1, overwrite_x=True)
+        sound[:, start : start + hop] = parts[:, taps - 1 : taps - 1 + end - first - start]
+    return Radiated(sound[0], sound[1] if mouth_flow else None, sound[-1])

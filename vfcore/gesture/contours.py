@@ -9,7 +9,7 @@ without sound.
 import numpy as np
 
 from vfcore.kernels.repetition import first_period, likeness
-from vfcore.measures.level import sound_pressure_level_db
+from vfcore.measures.level import rms_pa, sound_pressure_level_db
 from vfcore.measures.measure import Missing
 from vfcore.measures.phonation import MIN_AREA_SWING_M2, MIN_RELATIVE_SWING, MIN_TRACKABLE
 from vfcore.measures.pitch import HIGHEST_RATE_HZ, PEAK_RISE
@@ -26,12 +26,13 @@ def pitch_hz(area_m2: np.ndarray, sample_rate_hz: float) -> float:
     values = np.empty(len(area_m2) // 2 + 2)
     likeness(area_m2, np.empty(len(area_m2)), values)
     shortest = max(int(sample_rate_hz / HIGHEST_RATE_HZ), 2)
-    return sample_rate_hz / first_period(values, shortest, PEAK_RISE, MIN_TRACKABLE, NEARLY)
+    lags, heights = np.empty((2, len(values) // 2 + 1))
+    return sample_rate_hz / first_period(values, shortest, PEAK_RISE, MIN_TRACKABLE, NEARLY, lags, heights)
 
 
 def level_db(pressure_pa: np.ndarray) -> float:
     """Level over one window, dB re 20 µPa; NaN without sound."""
-    level = sound_pressure_level_db(pressure_pa) if len(pressure_pa) else Missing("no samples")
+    level = sound_pressure_level_db(rms_pa(pressure_pa)) if len(pressure_pa) else Missing("no samples")
     return float("nan") if isinstance(level, Missing) else level
 
 

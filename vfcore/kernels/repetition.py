@@ -1,16 +1,41 @@
-"""The first lag at which a wave is nearly as much like itself as at any: its period, sought in one call.
+"""How alike a wave is to itself one lag later, and where that is greatest: the period.
 
-r(τ) = Σ x(t) x(t+τ) / √(Σ x(t)² Σ x(t+τ)²) over the overlap, x with its mean removed, and its maxima: the law of
-vfcore/measures/pitch.py, which is the twin (there by transforms, for waves of any length). Windows of 60 ms are so
-short that the sum as it stands takes no longer, and touches little memory.
+    r(τ) = Σ x(t) x(t+τ) / √(Σ x(t)² Σ x(t+τ)²)
+
+over the overlap of the two copies, x with its mean removed. The products come from transforms
+(vfcore/measures/pitch.py) or from ``likeness``: for windows of 60 ms the sum as it stands takes no longer and touches
+little memory.
 """
 
 import math
 
-from vfcore.kernels.jit import jit
+from vfcore.kernels.jit import formula, inlined, jit
 
 #: Below this part of a wave's energy an overlap is silence.
 SILENT = 1e-12
+
+
+@formula
+def vertex(before, at, after):
+    """Offset (samples, within ±1/2) and height of the extremum of the parabola through three neighbours."""
+    curvature = before - 2.0 * at + after
+    offset = min(max(0.5 * (before - after) / curvature, -0.5), 0.5) if curvature != 0.0 else 0.0
+    return offset, at - 0.25 * (before - after) * offset
+
+
+@inlined
+def normalise(x, values):
+    """Turn the products ``values`` (lags,) at lags 0, 1, … of ``x`` (n,), of mean 0, into r."""
+    n, energy = x.size, 0.0
+    for i in range(n):
+        energy += x[i] * x[i]
+    head = tail = energy
+    for lag in range(values.size):
+        if lag > 0:
+            head -= x[n - lag] * x[n - lag]
+            tail -= x[lag - 1] * x[lag - 1]
+        scale = math.sqrt(max(head, 0.0) * max(tail, 0.0))
+        values[lag] = values[lag] / scale if scale > SILENT * energy else 0.0
 
 
 @jit
@@ -20,47 +45,49 @@ def likeness(wave, x, values):
     for i in range(n):
         mean += wave[i]
     mean /= n
-    energy = 0.0
     for i in range(n):
         x[i] = wave[i] - mean
-        energy += x[i] * x[i]
-    head = tail = energy
     for lag in range(values.size):
-        if lag > 0:
-            head -= x[n - lag] * x[n - lag]
-            tail -= x[lag - 1] * x[lag - 1]
         product = 0.0
         for i in range(n - lag):
             product += x[i] * x[i + lag]
-        scale = math.sqrt(max(head, 0.0) * max(tail, 0.0))
-        values[lag] = product / scale if scale > SILENT * energy else 0.0
+        values[lag] = product
+    normalise(x, values)
+
+
+@inlined
+def maxima(values, lag_min, lag_max, rise, lags, heights):
+    """Find the maxima of r from ``lag_min`` to ``lag_max`` that stand ``rise`` above the lowest r before them.
+
+    ``lags``, in samples and parts of one, and ``heights``, at most 1, shortest lag first, must have room for one in two
+    lags. Returns how many there are. The last of ``values`` (lags,) is no place for a maximum.
+    """
+    lowest, found = values[0], 0
+    for lag in range(min(lag_max, values.size - 2) + 1):
+        at = values[lag]
+        lowest = min(lowest, at)
+        if lag < lag_min:
+            continue
+        before, after = values[lag - 1], values[lag + 1]
+        if at > before and at >= after and at > 0.0 and at > lowest + rise:
+            offset, height = vertex(before, at, after)
+            lags[found], heights[found] = lag + offset, min(height, 1.0)
+            found += 1
+    return found
 
 
 @jit
-def first_period(values, lag_min, rise, least, nearly):
-    """Lag, in samples and parts of one, of the first maximum of r that is ``nearly`` as high as the highest.
+def first_period(values, lag_min, rise, least, nearly, lags, heights):
+    """The first of the ``maxima`` that is ``nearly`` as high as the highest; NaN where that is below ``least``.
 
-    Maxima count from ``lag_min`` on where they stand ``rise`` above the lowest r before them. NaN where the highest
-    is below ``least``. The last two of ``values`` are no place for a maximum.
+    ``lags`` and ``heights`` are scratch, with room for one in two of ``values`` (lags,).
     """
-    highest = 0.0
-    for search in range(2):
-        lowest = values[0]
-        for lag in range(values.size - 1):
-            at = values[lag]
-            lowest = min(lowest, at)
-            if lag < lag_min:
-                continue
-            before, after = values[lag - 1], values[lag + 1]
-            if not (at > before and at >= after and at > 0.0 and at > lowest + rise):
-                continue
-            curvature = before - 2.0 * at + after
-            offset = min(max(0.5 * (before - after) / curvature, -0.5), 0.5) if curvature != 0.0 else 0.0
-            height = min(at - 0.25 * (before - after) * offset, 1.0)
-            if search == 0:
-                highest = max(highest, height)
-            elif height >= nearly * highest:
-                return lag + offset
-        if highest < least:
-            return math.nan
+    found, highest = maxima(values, lag_min, values.size, rise, lags, heights), 0.0
+    for k in range(found):
+        highest = max(highest, heights[k])
+    if highest < least:
+        return math.nan
+    for k in range(found):
+        if heights[k] >= nearly * highest:
+            return lags[k]
     return math.nan

@@ -8,7 +8,7 @@ import numpy as np
 from vfcore.measures.cycles import Cycles, cut_cycles
 from vfcore.measures.flow import flow_slope
 from vfcore.measures.glottis import OpenPhases, open_phases
-from vfcore.measures.level import radiated_power_w
+from vfcore.measures.level import radiated_power_w, rms_pa
 from vfcore.measures.phonation import Phonation, judge_phonation
 from vfcore.measures.signals import Signals, Sound
 
@@ -52,13 +52,21 @@ class Analysis:
     def _area_peaks(self) -> np.ndarray:
         return self.cycles.where_largest(self.signals.glottal_area_m2)
 
+    @property
+    def lip_rms_pa(self) -> float:
+        """Root-mean-square of the pressure at the lips in the window, about its mean, Pa."""
+        return rms_pa(self.window(self.sound.lip_pressure_pa))
+
     @cached_property
+    def far_rms_pa(self) -> float:
+        """Root-mean-square of the far pressure in the window, about its mean, Pa."""
+        return rms_pa(self.window(self.sound.far_pressure_pa))
+
+    @property
     def radiated_power_w(self) -> float:
         """Power of a simple source that makes the far pressure in the window, W."""
         s = self.signals
-        return radiated_power_w(
-            self.window(self.sound.far_pressure_pa), s.far_distance_m, s.air_density_kg_m3, s.sound_speed_m_s
-        )
+        return radiated_power_w(self.far_rms_pa, s.far_distance_m, s.air_density_kg_m3, s.sound_speed_m_s)
 
     @cached_property
     def flow_slope_m3_s2(self) -> np.ndarray:

@@ -8,7 +8,8 @@ Only the place of the contact is then missing.
 
 import numpy as np
 
-from vfcore.measures.cycles import Cycles
+from vfcore.kernels.cycles import time_above
+from vfcore.measures.cycles import Cycles, plain
 from vfcore.measures.measure import Missing
 
 # Criterion level of electroglottography, as a fraction of the cycle's largest contact area (Orlikoff 1991).
@@ -47,6 +48,6 @@ def contact_quotient(contact_area_m2: np.ndarray, cycles: Cycles) -> float:
 
     Crossings are not interpolated: the contact area of a grid moves in steps of one node.
     """
-    level = CONTACT_FRACTION * cycles.largest(contact_area_m2)
-    above = cycles.span(contact_area_m2) > cycles.spread(level)
-    return float((cycles.total(above.astype(np.float64)) / cycles.lengths).mean())
+    shares = np.empty(cycles.count)
+    time_above(plain(contact_area_m2), cycles.bounds, CONTACT_FRACTION, shares)
+    return float(shares.mean())

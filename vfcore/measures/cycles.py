@@ -1,16 +1,15 @@
-"""Where cycles begin, and what each of them holds: vectorised over cycles, no loop over samples.
+"""Where cycles begin, and what each of them holds; no loop over samples that is not compiled.
 
 A cycle is cut while the glottis is closed, in the middle of the longest closed time, or at the smallest area where it
 never closes. A repeating wave is cut on an even grid of its period; an irregular one at the minima of its slow part.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
+from vfcore.kernels.cycles import lowest_each, refined_each, spaced_minima, where_largest
 from vfcore.measures.phonation import Phonation
-from vfcore.measures.pitch import parabola_vertex
 
 # "Closed" means below this fraction of the cycle's peak area: closed in the plain sense, with room for rounding.
 CLOSED_FRACTION = 1e-3
@@ -40,19 +39,6 @@ class Cycles:
         """Length of each cycle in samples, sub-sample; shape (N,)."""
         return np.diff(self.marks)
 
-    @cached_property
-    def lengths(self) -> np.ndarray:
-        """Whole samples in each cycle; shape (N,)."""
-        return np.diff(self.bounds)
-
-    def cycle_of(self, samples: np.ndarray) -> np.ndarray:
-        """Number of the cycle that each of the given ``samples`` of ``span(wave)`` belongs to."""
-        return np.searchsorted(self.offsets, samples, side="right") - 1
-
-    def spread(self, values: np.ndarray) -> np.ndarray:
-        """One value per cycle, shape (N,), at every sample of ``span(wave)``."""
-        return np.repeat(values, self.lengths)
-
     def span(self, wave: np.ndarray) -> np.ndarray:
         """The samples of ``wave`` (full length) within these cycles, float64; of a float64 wave a view."""
         return wave[self.bounds[0] : self.bounds[-1]].astype(np.float64, copy=False)
@@ -75,9 +61,9 @@ class Cycles:
 
     def where_largest(self, wave: np.ndarray) -> np.ndarray:
         """Sample of the full wave at which each cycle first reaches its largest value; shape (N,)."""
-        span = self.span(wave)
-        hits = np.flatnonzero(span == self.spread(np.maximum.reduceat(span, self.offsets)))
-        return hits[np.searchsorted(hits, self.offsets)] + self.bounds[0]
+        places = np.empty(self.count, dtype=np.int64)
+        where_largest(plain(wave), self.bounds, places)
+        return places
 
     def between(self, peaks: np.ndarray) -> "Cycles":
         """The same cycles cut at one sample within each instead: one fewer, in whole patterns if possible."""
@@ -95,35 +81,27 @@ class Cycles:
         return int(edges[k]), int(edges[k + 1])
 
 
-def refined_extremum(wave: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Sub-sample positions of the extrema of ``wave`` at the samples ``at`` (parabola through three samples)."""
-    at = np.clip(at, 1, len(wave) - 2)
-    offset, _ = parabola_vertex(*(wave[at + k].astype(np.float64) for k in (-1, 0, 1)))
-    return at + offset
-
-
-def lowest_near(wave: np.ndarray, positions: np.ndarray, reach: float) -> np.ndarray:
-    """Sample of the smallest value within ``reach`` samples of each position (the first, if several)."""
-    around = np.rint(positions).astype(int)[:, None] + np.arange(-int(reach), int(reach) + 1)
-    around = np.clip(around, 0, len(wave) - 1)
-    return around[np.arange(len(positions)), wave[around].argmin(axis=1)]
+def plain(wave: np.ndarray) -> np.ndarray:
+    """``wave`` as compiled loops take it, float64 and contiguous; no copy where it is."""
+    return np.ascontiguousarray(wave, dtype=np.float64)
 
 
 def cut_cycles(area_m2: np.ndarray, start: int, phonation: Phonation) -> Cycles | None:
     """The whole cycles of ``area_m2`` (full wave) from sample ``start`` on; None if too few can be followed."""
     if phonation.cycle is None:
         return None
-    area = np.asarray(area_m2[start:], dtype=np.float64)
+    area = plain(area_m2[start:])
     marks = _even_marks(area, phonation.pattern) if phonation.state == "periodic" else _followed_marks(area, phonation)
     whole = (len(marks) - 1) // phonation.cycles_per_pattern * phonation.cycles_per_pattern
     if whole < MIN_CYCLES:
         return None
     marks = marks[len(marks) - 1 - whole :]
     if phonation.state == "periodic":
-        bounds = np.rint(marks).astype(int)
+        bounds = np.rint(marks).astype(np.int64)
     else:
         # Followed cycles are at least 0.6 cycle apart, so a reach of a quarter keeps the cuts in order.
-        bounds = lowest_near(area, marks, phonation.cycle / 4)
+        bounds = np.empty(len(marks), dtype=np.int64)
+        lowest_each(area, np.rint(marks).astype(np.int64), int(phonation.cycle / 4), bounds)
     return Cycles(marks + start, bounds + start, phonation.cycles_per_pattern)
 
 
@@ -150,9 +128,10 @@ def _middle_of_longest_run(flags: np.ndarray) -> float:
 def _followed_marks(area: np.ndarray, phonation: Phonation) -> np.ndarray:
     """Minima of the slow part of the area, away from the ends of the window, where the filter sees too little."""
     slow = phonation.correlation.slow_part(1.0 / phonation.cycle)
-    from scipy.signal import find_peaks  # half a second to import, and needed by irregular voices only
-
-    minima, _ = find_peaks(-slow, distance=max(int(0.6 * phonation.cycle), 1))
+    minima = np.empty(len(slow) // 2, dtype=np.int64)
+    minima = np.sort(minima[: spaced_minima(slow, max(int(0.6 * phonation.cycle), 1), minima)])
     margin = phonation.cycle / 2
     minima = minima[(minima > margin) & (minima < len(area) - 1 - margin)]
-    return refined_extremum(slow, minima)
+    marks = np.empty(len(minima))
+    refined_each(slow, minima, marks)
+    return marks

@@ -9,17 +9,21 @@ from vfcore.measures.measure import Missing
 REFERENCE_PRESSURE_PA = 20e-6
 
 
-def sound_pressure_level_db(pressure_pa: np.ndarray) -> float | Missing:
-    """Level of the root-mean-square of ``pressure_pa`` about its mean, dB re 20 µPa."""
-    rms = float(np.std(pressure_pa, dtype=np.float64))
+def rms_pa(pressure_pa: np.ndarray) -> float:
+    """Root-mean-square of ``pressure_pa``, shape (n,), about its mean, Pa."""
+    return float(np.std(pressure_pa, dtype=np.float64))
+
+
+def sound_pressure_level_db(rms: float) -> float | Missing:
+    """Level of a root-mean-square, Pa, in dB re 20 µPa."""
     if rms == 0.0:
         return Missing("There is no sound: the pressure does not change.")
     return 20.0 * log10(rms / REFERENCE_PRESSURE_PA)
 
 
-def radiated_power_w(pressure_pa: np.ndarray, distance_m: float, density_kg_m3: float, speed_m_s: float) -> float:
-    """Power of a simple source in free space whose pressure at ``distance_m`` is given: 4πr² p_rms² / (ρc), W."""
-    return 4.0 * pi * distance_m**2 * float(np.var(pressure_pa, dtype=np.float64)) / (density_kg_m3 * speed_m_s)
+def radiated_power_w(rms: float, distance_m: float, density_kg_m3: float, speed_m_s: float) -> float:
+    """Power of a simple source in free space whose ``rms``, Pa, at ``distance_m`` is given: 4πr² p_rms² / (ρc), W."""
+    return 4.0 * pi * distance_m**2 * rms**2 / (density_kg_m3 * speed_m_s)
 
 
 def efficiency(radiated_w: float, subglottal_pressure_pa: float, mean_flow_m3_s: float) -> float | Missing:

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import fft
 
+from vfcore.kernels.repetition import maxima, normalise, vertex
+
 # The repeating pattern is sought between these rates. Adult voices lie within 60–1000 Hz; the lower end leaves
 # room for patterns of several cycles.
 LOWEST_RATE_HZ = 20.0
@@ -46,37 +48,27 @@ class Autocorrelation:
         size = fft.next_fast_len(n + keep, real=True)
         self.spectrum = fft.rfft(x, size)
         power = self.spectrum.real**2 + self.spectrum.imag**2
-        product = fft.irfft(power, size)[:keep]
-        energy = np.concatenate(([0.0], np.cumsum(x * x)))
-        head = energy[n : n - keep : -1]
-        tail = energy[n] - energy[:keep]
-        scale = np.sqrt(head * tail)
+        self.values = fft.irfft(power, size, overwrite_x=True)[:keep]
+        normalise(x, self.values)
         self.size = size
         self.n = n
-        self.values = np.divide(product, scale, out=np.zeros(keep), where=scale > 1e-12 * energy[n])
 
     def peaks(self, lag_min: int, lag_max: int) -> list[Peak]:
         """Positive local maxima of r between the lags ``lag_min`` and ``lag_max`` (samples), shortest lag first.
 
         Each stands ``PEAK_RISE`` above the lowest r at shorter lags: not a ripple on the way down from lag 0.
         """
-        lag_max = min(lag_max, len(self.values) - 2)
-        if lag_max < lag_min:
-            return []
-        lowest = np.minimum.accumulate(self.values[: lag_max + 1])[lag_min:]
-        before, at, after = (self.values[lag_min + k : lag_max + 1 + k] for k in (-1, 0, 1))
-        found = np.flatnonzero((at > before) & (at >= after) & (at > 0.0) & (at > lowest + PEAK_RISE))
-        offset, height = parabola_vertex(before[found], at[found], after[found])
-        lags, heights = found + lag_min + offset, np.minimum(height, 1.0)
-        return [Peak(float(lag), float(height)) for lag, height in zip(lags, heights, strict=True)]
+        lags, heights = np.empty((2, len(self.values) // 2 + 1))
+        found = maxima(self.values, lag_min, lag_max, PEAK_RISE, lags, heights)
+        return [Peak(*one) for one in zip(lags[:found].tolist(), heights[:found].tolist(), strict=True)]
 
     def near(self, lag: float, reach: float) -> Peak:
         """The highest value within ``reach`` samples of ``lag``, refined."""
         low = max(int(np.ceil(lag - reach)), 1)
         high = min(int(np.floor(lag + reach)), len(self.values) - 2)
         lag = low + int(np.argmax(self.values[low : high + 1]))
-        offset, height = parabola_vertex(*self.values[lag - 1 : lag + 2])
-        return Peak(lag + float(offset), min(float(height), 1.0))
+        offset, height = vertex(*self.values[lag - 1 : lag + 2].tolist())
+        return Peak(lag + offset, min(height, 1.0))
 
     def long_term_period(self, period: float) -> float:
         """``period`` (samples) made more accurate by matching the wave ever more cycles later."""
@@ -96,11 +88,3 @@ class Autocorrelation:
         """
         fall = np.clip((np.arange(len(self.spectrum)) / (self.size * rate) - 1.0) / 0.9, 0.0, 1.0)
         return fft.irfft(self.spectrum * (0.5 + 0.5 * np.cos(np.pi * fall)), self.size)[: self.n]
-
-
-def parabola_vertex(before, at, after):
-    """Offset (samples, within ±1/2) and height of the extremum of the parabola through three neighbours."""
-    curvature = before - 2.0 * at + after
-    safe = np.where(curvature == 0.0, 1.0, curvature)
-    offset = np.where(curvature == 0.0, 0.0, np.clip(0.5 * (before - after) / safe, -0.5, 0.5))
-    return offset, at - 0.25 * (before - after) * offset

@@ -63,7 +63,7 @@ ROWS = (
         "re 20 µPa. This is the paper's SPL; it is far above what a microphone at a distance reads.",
         formula="20 log₁₀(p_rms / 20 µPa)",
         source=PAPER,
-        needs=Needs.PHONATION, compute=lambda a: level.sound_pressure_level_db(a.window(a.sound.lip_pressure_pa)),
+        needs=Needs.PHONATION, compute=lambda a: level.sound_pressure_level_db(a.lip_rms_pa),
     ),
     MeasureSpec(
         key="spl_30cm_db", symbol="SPL₃₀", name="sound pressure level at 30 cm", unit="dB", group=LEVEL_GROUP,
@@ -73,7 +73,7 @@ ROWS = (
         formula="20 log₁₀(p_rms / 20 µPa)",
         source="Björklund & Sundberg (2016) for the distance and the expected level",
         normal_range=NormalRange(80.0, 80.0, "men, 10 cmH₂O subglottal pressure", "Björklund & Sundberg (2016)"),
-        needs=Needs.PHONATION, compute=lambda a: level.sound_pressure_level_db(a.window(a.sound.far_pressure_pa)),
+        needs=Needs.PHONATION, compute=lambda a: level.sound_pressure_level_db(a.far_rms_pa),
     ),
     MeasureSpec(
         key="efficiency", symbol="η", name="vocal efficiency", unit="1", group=LEVEL_GROUP, signal=f"{FAR}; {FLOW}",

@@ -79,7 +79,7 @@ class Signals:
             path = f"signals.{field.name}"
             if field.name in WAVES and value.shape != (n,):
                 raise ParameterError(path, f"has shape {value.shape}", f"({n},), that of time_s")
-            if field.name not in MAY_BE_NAN and not np.isfinite(value).all():
+            if field.name not in MAY_BE_NAN and not _is_finite(value):
                 raise ParameterError(path, "is not finite everywhere", "finite numbers")
         if self.sample_rate_hz <= 0:
             raise ParameterError("signals.sample_rate_hz", f"{self.sample_rate_hz:g} is not positive", "above 0 Hz")
@@ -88,6 +88,12 @@ class Signals:
     def window_start(self) -> int:
         """First sample of the last half of the run, the part that is measured."""
         return window_start(len(self.time_s))
+
+
+def _is_finite(value: np.ndarray) -> bool:
+    """The sum of a wave tells, unless it is beyond the largest number itself."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        return bool(np.isfinite(value.sum()) or np.isfinite(value).all())
 
 
 def window_start(samples: int) -> int:

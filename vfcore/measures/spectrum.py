@@ -13,6 +13,8 @@ from math import isqrt, log10
 import numpy as np
 from scipy import fft
 
+from vfcore.kernels.harmonics import first_two
+from vfcore.measures.cycles import plain
 from vfcore.measures.measure import Missing
 
 CPP_FRAME_S = 0.0512
@@ -30,9 +32,8 @@ def h1_h2_db(wave: np.ndarray, fo_hz: float, sample_rate_hz: float) -> float | M
 
     Hann window; each harmonic is read at its exact frequency.
     """
-    weighted = (wave - wave.mean()) * _window(np.hanning, len(wave))
-    turn = 2.0 * np.pi * fo_hz / sample_rate_hz
-    h1, h2 = _line(weighted, turn), _line(weighted, 2.0 * turn)
+    table = np.empty((4, isqrt(len(wave)) + 1))
+    h1, h2 = first_two(plain(wave), _window(np.hanning, len(wave)), 2.0 * np.pi * fo_hz / sample_rate_hz, table)
     if h1 == 0.0 or h2 == 0.0:
         return Missing("One of the first two harmonics is absent.")
     return 20.0 * log10(h1 / h2)
@@ -56,20 +57,6 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     return float(_above_line(cepstrum, quefrency).mean())
 
 
-def _line(wave: np.ndarray, turn: float) -> float:
-    """|Σ x_k e^{i k·turn}|: k = a B + b, so that 2√n instead of n sines are needed.
-
-    A sum without BLAS, because a threaded dot product waits for a second core that other runs may be using.
-    """
-    across = isqrt(len(wave)) + 1
-    grid = np.zeros((across, across))
-    grid.ravel()[: len(wave)] = wave
-    fine = turn * np.arange(across)
-    coarse = np.exp(1j * across * fine)
-    rows = np.einsum("ab,b->a", grid, np.cos(fine)) + 1j * np.einsum("ab,b->a", grid, np.sin(fine))
-    return abs((rows * coarse).sum())
-
-
 @lru_cache(maxsize=8)
 def _window(shape: Callable[[int], np.ndarray], n: int) -> np.ndarray:
     weights = shape(n)
@@ -79,12 +66,13 @@ def _window(shape: Callable[[int], np.ndarray], n: int) -> np.ndarray:
 
 def _above_line(cepstrum: np.ndarray, quefrency: np.ndarray) -> np.ndarray:
     """Height of each frame's peak, sought among voice rates, above the line fitted to that frame."""
-    fitted = quefrency >= CPP_LINE_FROM_S
+    fitted = slice(int(np.searchsorted(quefrency, CPP_LINE_FROM_S)), None)
     x = quefrency[fitted] - quefrency[fitted].mean()
     y = cepstrum[:, fitted]
     mean = y.mean(axis=1)
-    slope = (y * x).sum(axis=1) / (x * x).sum()
-    sought = np.flatnonzero((quefrency >= 1.0 / CPP_HIGHEST_HZ) & (quefrency <= 1.0 / CPP_LOWEST_HZ))
-    peak = sought[cepstrum[:, sought].argmax(axis=1)]
+    slope = np.einsum("fq,q->f", y, x) / (x * x).sum()
+    first = int(np.searchsorted(quefrency, 1.0 / CPP_HIGHEST_HZ))
+    last = int(np.searchsorted(quefrency, 1.0 / CPP_LOWEST_HZ, side="right"))
+    peak = first + cepstrum[:, first:last].argmax(axis=1)
     line = mean + slope * (quefrency[peak] - quefrency[fitted].mean())
     return cepstrum[np.arange(len(peak)), peak] - line

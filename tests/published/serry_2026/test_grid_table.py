@@ -8,7 +8,7 @@ table), SQ at 2 % is lower by .014 in every row, and x 20 → 40 gives +0.04 %: 
 import numpy as np
 import pytest
 
-from vfcore.measures.pitch import parabola_vertex
+from vfcore.kernels.repetition import vertex
 
 TABLE = {  # rows: f_o Hz, exactly closed, SQ at 2 %, mean flow mL/s
     10: (149.6, 0.506, 1.55, 1290),
@@ -28,7 +28,7 @@ def speed_quotient_at_two_per_cent(area):
         opens = rise + (level - area[rise]) / (area[rise + 1] - area[rise])
         closes = fall + (area[fall] - level) / (area[fall] - area[fall + 1])
         peak = rise + int(area[rise : fall + 1].argmax())
-        peak += parabola_vertex(*area[peak - 1 : peak + 2])[0]
+        peak += vertex(*area[peak - 1 : peak + 2])[0]
         quotients.append((peak - opens) / (closes - peak))
     return float(np.mean(quotients))
 
