@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vfcore.acoustics.airways import airways_of, tract_of
-from vfcore.acoustics.impulse_response import radiate
+from vfcore.acoustics.impulse_response import radiate, response_at
 from vfcore.assemble import Fold, assemble
 from vfcore.error_estimate import REFINEMENTS, Level, companion_step_s, companions, richardson, without_bars
-from vfcore.errors import DivergenceError
+from vfcore.errors import DivergenceError, ParameterError
 from vfcore.kernels.layout import RECORD
 from vfcore.march import March, contact_location
 from vfcore.measures.catalogue import MeasureReport, measure_all
@@ -29,6 +29,7 @@ from vfcore.tissue.coefficients import Coefficients, coefficients
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 PHASES = 100  # of the stored cycle
+LOOK_BACK_S = 0.020  # before the measured half, for slopes and minima at its edge; many times what they need
 UNREPEATED_S = 0.010  # what the cycle arrays hold when nothing repeats
 
 
@@ -176,12 +177,26 @@ def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndar
     return waves
 
 
-def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
-    """Sound of a run where it is measured, its last half: the whole sound bit for bit, and 0 before."""
-    start = window_start(len(flow_m3_s))
+def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float, left_out: int = 0) -> Sound:
+    """Sound of a run where it is measured, its last half: the whole sound bit for bit, and 0 before.
+
+    ``left_out``: samples of the run before those of ``flow_m3_s`` (n,); at most ``unheard``.
+    """
+    start = window_start(len(flow_m3_s), left_out)
     heard = radiate(flow_m3_s, sample_s, tract_of(request), first=start, mouth_flow=False)
     silence = np.zeros(start)
     return Sound(np.concatenate((silence, heard.lip_pressure_pa)), np.concatenate((silence, heard.far_pressure_pa)))
+
+
+def unheard(request: Simulation, samples: int, sample_s: float) -> int:
+    """How many of the first of ``samples`` no measure looks at: what flows so early has left the lips before the last
+    half begins. 0 where the tract rings without end.
+    """
+    try:
+        history = response_at(tract_of(request), sample_s).shape[1]
+    except ParameterError:
+        return 0
+    return max(0, window_start(samples) - max(history, round(LOOK_BACK_S / sample_s)))
 
 
 def _whole_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
@@ -193,7 +208,12 @@ def _whole_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) ->
 
 
 def signals_of(
-    request: Simulation, posture: PostureSolution, fold: Fold, arrays: dict[str, np.ndarray], sample_s: float
+    request: Simulation,
+    posture: PostureSolution,
+    fold: Fold,
+    arrays: dict[str, np.ndarray],
+    sample_s: float,
+    left_out: int = 0,
 ) -> Signals:
     """What the measures are told of a run: its ``waveforms`` and scalars, without the sound."""
     c = fold.coefficients
@@ -215,6 +235,7 @@ def signals_of(
         medial_area_m2=c.length_m * c.thickness_m,
         air_density_kg_m3=request.constants.rho_a_kg_m3,
         sound_speed_m_s=request.constants.c_a_m_s,
+        left_out=left_out,
     )
 
 
