@@ -4,12 +4,14 @@ import asyncio
 import logging
 import threading
 import time
+from collections.abc import Callable
 from multiprocessing.process import BaseProcess
 
 from vfcore.simulate import prepare, simulate
 from vfcore.version import MODEL_VERSION
 from vocalis_server.problems import NotReady
-from vocalis_server.warm import COUPLED, IRREGULAR, PERIODIC, compile_behind
+from vocalis_server.rehearsal import COUPLED, IRREGULAR, PERIODIC
+from vocalis_server.warm import compile_behind
 
 log = logging.getLogger("vocalis")
 WAIT_S = 30.0  # for a first compilation on a slow machine
@@ -30,9 +32,9 @@ class Kernels:
         """Whether everything a default request needs is compiled."""
         return self._runs.is_set()
 
-    def start(self) -> None:
-        """Compile in a thread of its own, and what can wait in a process."""
-        threading.Thread(target=self._compile_all, name="compile", daemon=True).start()
+    def start(self, then: Callable[[], None] = lambda: None) -> None:
+        """Compile in a thread of its own, and what can wait in a process; call ``then`` there when all is compiled."""
+        threading.Thread(target=self._compile_all, args=(then,), name="compile", daemon=True).start()
 
     def close(self) -> None:
         """End the process that compiles what can wait."""
@@ -58,7 +60,7 @@ class Kernels:
         self.message = f"ready: the kernels of model {MODEL_VERSION} took {time.perf_counter() - began:.1f} s"
         self._runs.set()
 
-    def _compile_all(self) -> None:
+    def _compile_all(self, then: Callable[[], None]) -> None:
         self.compile()
         if self._failed or self._closed:
             return
@@ -66,6 +68,7 @@ class Kernels:
         if self._behind is not None:
             self._behind.join()
         if not self._closed:
+            then()
             simulate(COUPLED)  # loads it: nobody waits for that, but a first run with two-way coupling would
 
     async def for_postures(self) -> None:

@@ -54,7 +54,7 @@ class Services:
         store, points = JobStore(database), PointStore(database)
         archive = Archive(database, folder, settings.result_bytes)
         ledger = Ledger(store, points, archive, events)
-        engine = Engine(settings.workers, ledger, points, _cluster(settings))
+        engine = Engine(settings.workers, ledger, points, _cluster(settings), settings.warm_workers)
         return cls(
             settings=settings,
             access=access_for(settings.host, token, settings.allowed_hosts, secure=settings.tls_cert is not None),
@@ -86,7 +86,7 @@ class Services:
         """To be called in the event loop that answers."""
         self.open()
         self.events.bind()
-        self.kernels.start()
+        self.kernels.start(then=self.desk.engine.warm)
         self.retention.start()
         self.desk.engine.start()
         self.desk.resume()

@@ -23,6 +23,9 @@ class Settings(BaseSettings):
     tls_key: str | None = None
 
     workers: int = Field(os.cpu_count() or 1, ge=1, le=256, description="niced processes for jobs")
+    warm_workers: int = Field(
+        min(2, os.cpu_count() or 1), ge=0, le=256, description="of these, how many start before there is a job"
+    )
     dask_scheduler_address: str | None = Field(
         None, validation_alias=AliasChoices("VOCALIS_DASK_SCHEDULER_ADDRESS", "DASK_SCHEDULER_ADDRESS"),
         description="where sweeps are computed instead of in this machine's processes",

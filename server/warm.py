@@ -7,21 +7,16 @@ takes as long again; a process of low priority does it, so that neither answers 
 import os
 import signal
 from contextlib import suppress
-from dataclasses import replace
 from multiprocessing import get_context
 from multiprocessing.process import BaseProcess
 
-from vfcore.batch import PRECISIONS, run_points
 from vfcore.gesture.voice import Voice
 from vfcore.kernels.jit import kernel_directory
-from vfcore.params import Model, Run, Simulation
+from vfcore.params import Simulation
 from vfcore.simulate import simulate
 from vocalis_server.live.rehearsal import rehearse
+from vocalis_server.rehearsal import COUPLED, IRREGULAR, PERIODIC, rehearse_points
 
-#: Voices long enough to be judged, for every state needs measures of its own.
-PERIODIC = Simulation(run=Run(duration_s=0.3))
-IRREGULAR = replace(PERIODIC, activation=replace(PERIODIC.activation, ct=0.0, ta=0.8))
-COUPLED = Simulation(model=Model(coupling="two_way"), run=Run(duration_s=0.02))
 _COMPLETE = "complete"  # the file that says so, beside the kernels
 _NICENESS = 10
 
@@ -32,8 +27,7 @@ def compile_everything() -> None:
         simulate(request)
     rehearse()
     Voice(Simulation()).advance(Simulation(vowel="i"))  # a gesture: with the sound at 0.3 m
-    for precision in PRECISIONS:
-        list(run_points([PERIODIC], precision=precision))
+    rehearse_points()
     with suppress(OSError):  # a folder that others own
         (kernel_directory() / _COMPLETE).touch()
 

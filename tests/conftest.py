@@ -11,5 +11,7 @@ os.environ.setdefault("VOCALIS_DATA", str(Path(__file__).resolve().parent.parent
 # Servers of the tests leave no jobs to those of the next run.
 _JOBS = tempfile.TemporaryDirectory(prefix="vocalis-jobs-")
 os.environ["VOCALIS_JOBS_DIRECTORY"] = str(Path(_JOBS.name) / "jobs")
+# Nor do their workers start before there is work: most of these servers never get any.
+os.environ["VOCALIS_WARM_WORKERS"] = "0"
 settings.register_profile("vocalis", deadline=None)
 settings.load_profile("vocalis")

@@ -25,12 +25,14 @@ CLOSE_S = 1.0
 
 
 class Engine:
-    """At most ``workers`` processes, the first of which starts with the first piece of work; and with a ``cluster``
-    as many tasks of sweeps on it as it has room for.
+    """At most ``workers`` processes, which start when there is work for them, ``warm`` of them when asked to before;
+    and with a ``cluster`` as many tasks of sweeps on it as it has room for.
     """
 
-    def __init__(self, workers: int, listener: Listener, points: PointStore, cluster: Cluster | None = None):
-        self._most, self._cluster = workers, cluster
+    def __init__(
+        self, workers: int, listener: Listener, points: PointStore, cluster: Cluster | None = None, warm: int = 0
+    ):
+        self._most, self._cluster, self._warm = workers, cluster, min(warm, workers)
         self._listener, self._points = listener, points
         self._queue: deque[Work] = deque()
         self._running: dict[str, Work] = {}
@@ -48,6 +50,12 @@ class Engine:
         """Connect to the cluster, where there is one."""
         if self._cluster is not None:
             self._cluster.start()
+
+    def warm(self) -> None:
+        """Start processes and have them load their kernels, so that no first map waits for that."""
+        with self._changed:
+            while len(self._workers) < self._warm and not self._closing:
+                self._open_lane(rehearse=True)
 
     def submit(self, work: Work) -> None:
         """Put a single run at the end of the queue."""
@@ -119,20 +127,23 @@ class Engine:
         if self._cluster is not None:
             self._cluster.close()
 
-    def _open_lane(self) -> None:
+    def _open_lane(self, rehearse: bool = False) -> None:
         if len(self._workers) < self._most:
             self._workers.append(worker := Worker())
-            self._start(worker, runs=True, sweeps=self._cluster is None)
+            self._start(worker, runs=True, sweeps=self._cluster is None, rehearse=rehearse)
 
     def _open_cluster_lanes(self) -> None:
         while self._cluster.lanes < min(self._cluster.capacity, self._cluster.most):
             self._start(self._cluster.new_lane(), runs=False, sweeps=True)
 
-    def _start(self, lane: Lane, runs: bool, sweeps: bool) -> None:
-        self._threads.append(threading.Thread(target=self._serve, args=(lane, runs, sweeps), name="lane", daemon=True))
+    def _start(self, lane: Lane, runs: bool, sweeps: bool, rehearse: bool = False) -> None:
+        what = lane, runs, sweeps, rehearse
+        self._threads.append(threading.Thread(target=self._serve, args=what, name="lane", daemon=True))
         self._threads[-1].start()
 
-    def _serve(self, lane: Lane, runs: bool, sweeps: bool) -> None:
+    def _serve(self, lane: Lane, runs: bool, sweeps: bool, rehearse: bool) -> None:
+        if rehearse:
+            lane.run("rehearsal", None, lambda _: None, threading.Event())
         while (piece := self._take(runs, sweeps)) is not None:
             if isinstance(piece, Work):
                 self._run_single(lane, piece)

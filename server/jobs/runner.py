@@ -36,8 +36,16 @@ def _part_of_sweep(piece: tuple[Any, str], _: Progress, stop: Stop) -> Any:
     return run_task(*piece, stop)
 
 
+def _rehearsal(*_: Any) -> None:
+    from vocalis_server.rehearsal import rehearse_points
+
+    rehearse_points()
+
+
 #: What a worker can do, by kind of job.
-KINDS: dict[str, Callable[[Any, Progress, Stop], Any]] = {"simulation": _simulation, "sweep": _part_of_sweep}
+KINDS: dict[str, Callable[[Any, Progress, Stop], Any]] = {
+    "simulation": _simulation, "sweep": _part_of_sweep, "rehearsal": _rehearsal,
+}  # fmt: skip
 
 
 def serve_work(pipe: Connection) -> None:

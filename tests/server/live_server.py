@@ -37,7 +37,9 @@ class Live:
 def serving(**settings) -> Iterator[Live]:
     """Serve with these settings until the block ends; the kernels are compiled when it begins."""
     with TemporaryDirectory(prefix="vocalis-jobs-") as folder:
-        yield from _serving(create_app(Settings(_env_file=None, **{"jobs_directory": folder} | settings)))
+        yield from _serving(
+            create_app(Settings(_env_file=None, **{"jobs_directory": folder, "warm_workers": 0} | settings))
+        )
 
 
 def _serving(app) -> Iterator[Live]:

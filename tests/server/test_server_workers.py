@@ -2,6 +2,7 @@
 
 import os
 import signal
+from pathlib import Path
 
 import pytest
 
@@ -24,9 +25,19 @@ def kill_worker(server, client, job) -> None:
     wait_until(lambda: pid not in server.services.desk.engine.worker_pids)
 
 
-def test_no_worker_is_started_before_there_is_a_job(own):
+def test_no_worker_is_started_before_there_is_a_job_unless_asked_for(own):
     server, _ = own
     assert server.services.desk.engine.worker_pids == ()
+
+
+def test_a_warm_worker_waits_with_its_kernels_loaded_and_takes_the_first_job():
+    with serving(workers=1, warm_workers=1) as server, server.client() as client:
+        engine = server.services.desk.engine
+        wait_until(lambda: len(engine.worker_pids) == 1, seconds=60)
+        (pid,) = engine.worker_pids
+        wait_until(lambda: "pocketfft" in Path(f"/proc/{pid}/maps").read_text())  # voices have been measured in it
+        assert finish(client, run(client, SHORT))["status"] == "successful"
+        assert engine.worker_pids == (pid,)
 
 
 def test_a_job_survives_the_death_of_its_worker(own):

@@ -10,7 +10,8 @@ from vfcore.batch import run_points, static_shapes
 from vfcore.errors import Cancelled, ParameterError, StabilityError
 from vfcore.measures import CATALOGUE
 from vfcore.request import simulation_from_dict
-from vfcore.simulate import simulate, unheard
+from vfcore.simulate import simulate
+from vfcore.sound import unheard
 
 COUNTS_SAMPLES = {"contact_quotient"}  # not interpolated: rounding may move it by one sample
 
