@@ -35,7 +35,7 @@ def server_process(**environment: str) -> Iterator[tuple[str, subprocess.Popen]]
     compile_everything()
     process = subprocess.Popen(
         [sys.executable, "-m", "vocalis_server", "--port", "0"],
-        env=os.environ | environment, stdout=subprocess.PIPE, text=True,
+        env=os.environ | {"VOCALIS_WARM_WORKERS": "0"} | environment, stdout=subprocess.PIPE, text=True,
     )  # fmt: skip
     try:
         address = re.search(r"https?://[^\s/#]+", process.stdout.readline())[0]
