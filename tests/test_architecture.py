@@ -37,10 +37,16 @@ BASE = {"errors", "fields", "constants", "params", "posture.tables", "variants"}
 #: For each room of vfcore, the rooms and modules it may import besides itself.
 MAY_IMPORT = {
     "kernels": set(),
-    "measures": {"errors", "fields", *(f"kernels.{name}" for name in ("cycles", "harmonics", "repetition", "slope"))},
+    "measures": {
+        "errors",
+        "fields",
+        "transforms",
+        *(f"kernels.{name}" for name in ("cycles", "harmonics", "repetition", "slope")),
+    },
     "tissue": BASE | {"kernels"},
     "posture": BASE | {"kernels"},
-    "acoustics": BASE | {"kernels"},
+    "acoustics": BASE | {"kernels", "transforms"},
+    "transforms": set(),
     "errors": set(),
     "fields": {"errors"},
     "constants": {"errors", "fields"},

@@ -8,11 +8,13 @@ from pathlib import Path
 import pytest
 
 import vocalis_server
+from vfcore.simulate import simulate
 from vocalis_server.jobs.events import DONE, PROGRESS, EventLog
 from vocalis_server.jobs.interactive import ClientLeft, Interactive, Overtaken
 from vocalis_server.jobs.model import TRANSITIONS, IllegalTransition, Job, Status
 from vocalis_server.kernels import Kernels
 from vocalis_server.problems import OTHER, TABLE, NotReady, kind_of
+from vocalis_server.rehearsal import IRREGULAR, PERIODIC
 
 
 def job(status: Status) -> Job:
@@ -107,6 +109,10 @@ def test_a_cancelled_wait_gives_its_place_back():
         assert await first and await gate.run(lambda: "third") == "third"
 
     asyncio.run(main())
+
+
+def test_the_voices_of_the_rehearsal_have_the_states_whose_measures_they_compile():
+    assert [simulate(voice).report.state for voice in (PERIODIC, IRREGULAR)] == ["periodic", "irregular"]
 
 
 def test_calls_wait_for_the_kernels(monkeypatch):

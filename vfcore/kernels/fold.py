@@ -12,7 +12,7 @@ trapezoidal rule for its own stiffness A (tension, bending, end moments, per mas
 which is unconditionally stable and undamped. With S = (I − dt²A/4)⁻¹ and SA = (4/dt²)(S − I)
 the right side is S (f/ρ_l + 4/dt² w_b) − 4/dt² w_b. Of one fold, whose columns are the lanes, that is one dense
 product per step. Of many it is a substitution forwards, column by column as the loads come up, and one backwards, with
-the factors of I − dt²A/4 (kernels/banded.py): a quarter of the operations and a seventh of the numbers.
+the factors of I − dt²A/4 (kernels/banded.py): a third of the operations and a sixth of the numbers.
 
 Kept between steps: w, v^{n−½} and v*, so that every damper reads v* without computing it again. With F/ρ_s = a both
 come from v^{n−½} by one multiply-add each, the next v* being v^{n−½} + (3/2) dt a.

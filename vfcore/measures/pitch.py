@@ -15,6 +15,7 @@ import numpy as np
 from scipy import fft
 
 from vfcore.kernels.repetition import maxima, normalise, vertex
+from vfcore.transforms import quick_length
 
 # The repeating pattern is sought between these rates. Adult voices lie within 60–1000 Hz; the lower end leaves
 # room for patterns of several cycles.
@@ -24,8 +25,6 @@ HIGHEST_RATE_HZ = 1000.0
 REFINE_MATCH = 0.9
 # Noise ripples r by about 1/√n, less than 0.01; any cycle makes it fall and rise by more than this.
 PEAK_RISE = 0.1
-# Transforms whose length has this factor take a tenth less time than those of the next fast length.
-OCTAVES = 256
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +46,7 @@ class Autocorrelation:
         x = x - x.mean()
         n = len(x)
         keep = n // 2 + 2
-        size = OCTAVES * fft.next_fast_len(-(-(n + keep) // OCTAVES), real=True)
+        size = quick_length(n + keep)
         self.spectrum = fft.rfft(x, size)
         power = self.spectrum.real**2 + self.spectrum.imag**2
         self.values = fft.irfft(power, size, overwrite_x=True)[:keep]
