@@ -10,7 +10,7 @@ from multiprocessing.process import BaseProcess
 from vfcore.simulate import prepare, simulate
 from vfcore.version import MODEL_VERSION
 from vocalis_server.problems import NotReady
-from vocalis_server.rehearsal import COUPLED, IRREGULAR, PERIODIC
+from vocalis_server.voices import COUPLED, IRREGULAR, PERIODIC
 from vocalis_server.warm import compile_behind
 
 log = logging.getLogger("vocalis")

@@ -54,7 +54,8 @@ class Services:
         store, points = JobStore(database), PointStore(database)
         archive = Archive(database, folder, settings.result_bytes)
         ledger = Ledger(store, points, archive, events)
-        engine = Engine(settings.workers, ledger, points, _cluster(settings), settings.warm_workers)
+        cluster = _cluster(settings)
+        engine = Engine(settings.workers, ledger, points, cluster, 0 if cluster else settings.warm_workers)
         return cls(
             settings=settings,
             access=access_for(settings.host, token, settings.allowed_hosts, secure=settings.tls_cert is not None),

@@ -15,7 +15,7 @@ from vfcore.kernels.jit import kernel_directory
 from vfcore.params import Simulation
 from vfcore.simulate import simulate
 from vocalis_server.live.rehearsal import rehearse
-from vocalis_server.rehearsal import COUPLED, IRREGULAR, PERIODIC, rehearse_points
+from vocalis_server.voices import COUPLED, IRREGULAR, PERIODIC, rehearse_points
 
 _COMPLETE = "complete"  # the file that says so, beside the kernels
 _NICENESS = 10

@@ -13,8 +13,7 @@ from vfcore.measures.catalogue import MeasureReport, known_keys, measure_all
 from vfcore.params import Simulation
 from vfcore.posture.equilibrium import solve_each_posture
 from vfcore.posture.solution import PostureSolution
-from vfcore.simulate import Prepared, fold_of, posture_of, signals_of, waveforms
-from vfcore.sound import measured_sound, unheard
+from vfcore.simulate import Prepared, fold_of, measured_sound, posture_of, signals_of, waveforms
 from vfcore.stability import time_step_s
 from vfcore.statics import static_shape_of
 
@@ -92,9 +91,7 @@ def _motion(request: Simulation, fold: Fold) -> Motion:
     run = request.run
     start = static_shape_of(fold) if run.start == "static" else None
     step_s = time_step_s(run, fold)
-    motion = Motion(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
-    samples = round(run.duration_s / motion.sample_s)
-    return motion._replace(left_out=unheard(request, samples, motion.sample_s))
+    return Motion(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
 
 
 def _coupled(request: Simulation, fold: Fold, stop) -> Outcome:
@@ -116,9 +113,9 @@ def _reduced(request: Simulation, posture: PostureSolution, fold: Fold, outcome:
     try:
         arrays = waveforms(outcome.record, outcome.sample_s, fold.nx)
         report = measure_all(
-            signals_of(request, posture, fold, arrays, outcome.sample_s, outcome.left_out),
+            signals_of(request, posture, fold, arrays, outcome.sample_s),
             keys,
-            radiate=lambda: measured_sound(request, arrays["glottal_flow_m3_s"], outcome.sample_s, outcome.left_out),
+            radiate=lambda: measured_sound(request, arrays["glottal_flow_m3_s"], outcome.sample_s),
         )
     except VocalisError as error:
         return Point(None, None, error)

@@ -23,10 +23,7 @@ OF_EACH = RECORD[: RECORD.index("inlet_pressure_pa")]
 
 
 class Motion(NamedTuple):
-    """One fold to be set in motion: from ``start``, or flat with a bump of 1 nm.
-
-    ``left_out``: how many of the first samples nobody will look at.
-    """
+    """One fold to be set in motion: from ``start``, or flat with a bump of 1 nm."""
 
     fold: assemble.Fold
     time_step_s: float
@@ -34,7 +31,6 @@ class Motion(NamedTuple):
     duration_s: float
     rise_s: float = 0.0
     start: StaticShape | None = None
-    left_out: int = 0
 
     @property
     def sample_s(self) -> float:
@@ -43,15 +39,11 @@ class Motion(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """The record (samples, len(OF_EACH)) of one fold, float64, each column contiguous; or why there is none.
-
-    ``left_out``: samples of the run before the first of the record.
-    """
+    """The record (samples, len(OF_EACH)) of one fold, float64, each column contiguous; or why there is none."""
 
     record: np.ndarray | None
     sample_s: float
     problem: DivergenceError | None
-    left_out: int = 0
 
 
 def march_many(
@@ -70,7 +62,7 @@ def march_many(
     alike: dict[tuple, list[int]] = defaultdict(list)
     for index, motion in enumerate(motions):
         fold, samples = motion.fold, round(motion.duration_s / motion.sample_s)
-        alike[fold.nx, fold.ny, fold.rotation, motion.time_step_s, motion.left_out, samples].append(index)
+        alike[fold.nx, fold.ny, fold.rotation, motion.time_step_s, samples].append(index)
     together = LANES[precision]
     batches = [
         (key[-1], members[begin : begin + together])
@@ -84,7 +76,7 @@ def march_many(
         for place, index in enumerate(members):
             problem = batch.problems[place]
             record = None if problem is not None else records[place].T
-            yield index, Outcome(record, motions[index].sample_s, problem, batch.left_out)
+            yield index, Outcome(record, motions[index].sample_s, problem)
 
 
 class _Batch:
@@ -94,7 +86,6 @@ class _Batch:
         first = motions[0].fold
         self.motions, self.folds = motions, LANES[precision]
         self.time_step_s = motions[0].time_step_s
-        self.left_out = motions[0].left_out
         self.record_every = record_every(self.time_step_s)
         self.problems: list[DivergenceError | None] = [None] * len(motions)
         self.layout = Layout(first.nx, first.ny, self.folds, self.folds)
@@ -124,8 +115,8 @@ class _Batch:
     def run(
         self, samples: int, progress: Callable[[float], None] | None, stop: Callable[[], bool] | None
     ) -> np.ndarray:
-        """Records (len(motions), len(OF_EACH), samples − left_out), float64; a fold in ``problems`` has none."""
-        records = np.empty((len(self.motions), len(OF_EACH), samples - self.left_out))
+        """Records (len(motions), len(OF_EACH), samples), float64; a fold in ``problems`` has none."""
+        records = np.empty((len(self.motions), len(OF_EACH), samples))
         per_chunk = samples_per_chunk(self.motions[0].fold, self.time_step_s)
         room = np.empty((min(per_chunk, samples), len(RECORD), self.folds), self.buffer.dtype)
         for begin in range(0, samples, per_chunk):
@@ -134,10 +125,7 @@ class _Batch:
             end = min(begin + per_chunk, samples)
             chunk = room[: end - begin]
             self._chunk(begin, chunk)
-            if end > self.left_out:
-                kept = slice(max(begin - self.left_out, 0), end - self.left_out)
-                seen = chunk[kept.start - kept.stop :, : len(OF_EACH), : len(self.motions)]
-                records[:, :, kept] = seen.transpose(2, 1, 0)
+            records[:, :, begin:end] = chunk[:, : len(OF_EACH), : len(self.motions)].transpose(2, 1, 0)
             if progress is not None:
                 progress(end / samples)
             if None not in self.problems:

@@ -25,7 +25,7 @@ CLOSE_S = 1.0
 
 
 class Engine:
-    """At most ``workers`` processes, which start when there is work for them, ``warm`` of them when asked to before;
+    """At most ``workers`` processes, which start when there is work for them (``warm`` of them before, see ``warm``);
     and with a ``cluster`` as many tasks of sweeps on it as it has room for.
     """
 
@@ -43,7 +43,7 @@ class Engine:
         self._workers: list[Worker] = []
         self._threads: list[threading.Thread] = []
         self._idle = 0
-        self._closing = False
+        self._closing = threading.Event()
         self._changed = threading.Condition()
 
     def start(self) -> None:
@@ -54,7 +54,7 @@ class Engine:
     def warm(self) -> None:
         """Start processes and have them load their kernels, so that no first map waits for that."""
         with self._changed:
-            while len(self._workers) < self._warm and not self._closing:
+            while len(self._workers) < self._warm and not self._closing.is_set():
                 self._open_lane(rehearse=True)
 
     def submit(self, work: Work) -> None:
@@ -114,7 +114,7 @@ class Engine:
     def close(self) -> None:
         """Stop everything; returns within about a second."""
         with self._changed:
-            self._closing = True
+            self._closing.set()
             self._queue.clear()
             for work in (*self._running.values(), *self._sweeps.values()):
                 work.stop.set()
@@ -142,8 +142,8 @@ class Engine:
         self._threads[-1].start()
 
     def _serve(self, lane: Lane, runs: bool, sweeps: bool, rehearse: bool) -> None:
-        if rehearse:
-            lane.run("rehearsal", None, lambda _: None, threading.Event())
+        if rehearse and isinstance(lane.run("rehearsal", None, lambda _: None, self._closing), Failed | Died):
+            log.warning("a worker could not rehearse: first runs will take longer")
         while (piece := self._take(runs, sweeps)) is not None:
             if isinstance(piece, Work):
                 self._run_single(lane, piece)
@@ -152,7 +152,7 @@ class Engine:
 
     def _take(self, runs: bool, sweeps: bool) -> Work | SweepWork | None:
         with self._changed:
-            while not self._closing:
+            while not self._closing.is_set():
                 if runs and self._queue:
                     work = self._queue.popleft()
                     self._running[work.id] = work

@@ -37,7 +37,7 @@ def _part_of_sweep(piece: tuple[Any, str], _: Progress, stop: Stop) -> Any:
 
 
 def _rehearsal(*_: Any) -> None:
-    from vocalis_server.rehearsal import rehearse_points
+    from vocalis_server.voices import rehearse_points
 
     rehearse_points()
 

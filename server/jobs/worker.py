@@ -1,4 +1,4 @@
-"""One worker process, seen from the server: started when there is work, replaced when it died."""
+"""One worker process, seen from the server: started when it is needed, replaced when it died."""
 
 import multiprocessing
 import threading

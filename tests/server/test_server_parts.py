@@ -14,7 +14,7 @@ from vocalis_server.jobs.interactive import ClientLeft, Interactive, Overtaken
 from vocalis_server.jobs.model import TRANSITIONS, IllegalTransition, Job, Status
 from vocalis_server.kernels import Kernels
 from vocalis_server.problems import OTHER, TABLE, NotReady, kind_of
-from vocalis_server.rehearsal import IRREGULAR, PERIODIC
+from vocalis_server.voices import IRREGULAR, PERIODIC
 
 
 def job(status: Status) -> Job:

@@ -2,11 +2,13 @@
 
 import os
 import signal
+from multiprocessing import active_children
 from pathlib import Path
 
 import pytest
 
 from tests.server.live_server import LONG, SHORT, finish, run, serving, wait_until
+from vocalis_server.jobs.engine import Engine
 
 MEDIUM = {"run": {"duration_s": 2, "time_step_s": 1.7857142857142857e-6}}  # some seconds of work where cores are shared
 
@@ -38,6 +40,13 @@ def test_a_warm_worker_waits_with_its_kernels_loaded_and_takes_the_first_job():
         wait_until(lambda: "pocketfft" in Path(f"/proc/{pid}/maps").read_text())  # voices have been measured in it
         assert finish(client, run(client, SHORT))["status"] == "successful"
         assert engine.worker_pids == (pid,)
+
+
+def test_a_server_that_closes_while_its_workers_warm_up_leaves_none_behind():
+    engine = Engine(2, listener=None, points=None, warm=2)
+    engine.warm()
+    engine.close()
+    wait_until(lambda: not [child for child in active_children() if child.name == "vocalis-worker"], seconds=3)
 
 
 def test_a_job_survives_the_death_of_its_worker(own):

@@ -43,7 +43,7 @@ class MeasureReport:
     ``state``: none | periodic | subharmonic | irregular, with the sentence ``explanation``.
     ``periodicity``: normalised autocorrelation peak, None without phonation. ``measures``: by key, every row of the
     catalogue or those asked for. ``cycles``: how many cycles were averaged. ``cycle_bounds``: samples [start, stop)
-    of one representative repeating pattern in the run, None where no cycle can be followed.
+    of one representative repeating pattern in the full waves, None where no cycle can be followed.
     """
 
     state: str
@@ -77,14 +77,14 @@ def measure_all(
     """
     wanted = CATALOGUE if keys is None else [CATALOGUE[key] for key in known_keys(keys)]
     analysis = Analysis(signals, radiate)
-    cycles, left_out = analysis.cycles, signals.left_out
+    cycles = analysis.cycles
     return MeasureReport(
         state=analysis.phonation.state,
         explanation=analysis.phonation.explanation,
         periodicity=analysis.phonation.periodicity,
         measures={spec.key: spec.measure(analysis) for spec in wanted},
         cycles=cycles.count if cycles else 0,
-        cycle_bounds=tuple(sample + left_out for sample in cycles.representative) if cycles else None,
+        cycle_bounds=cycles.representative if cycles else None,
     )
 
 

@@ -82,8 +82,11 @@ class Cycles:
 
 
 def plain(wave: np.ndarray) -> np.ndarray:
-    """``wave`` as compiled loops take it, float64 and contiguous; no copy where it is."""
-    return np.ascontiguousarray(wave, dtype=np.float64)
+    """``wave`` as compiled loops take it: float64, contiguous, and not read-only, which would be a type of its own; no
+    copy where it is so.
+    """
+    plain = np.ascontiguousarray(wave, dtype=np.float64)
+    return plain if plain.flags.writeable else plain.copy()
 
 
 def cut_cycles(area_m2: np.ndarray, start: int, phonation: Phonation) -> Cycles | None:

@@ -15,7 +15,6 @@ import numpy as np
 from scipy import fft
 
 from vfcore.kernels.repetition import maxima, normalise, vertex
-from vfcore.transforms import quick_length
 
 # The repeating pattern is sought between these rates. Adult voices lie within 60–1000 Hz; the lower end leaves
 # room for patterns of several cycles.
@@ -46,7 +45,7 @@ class Autocorrelation:
         x = x - x.mean()
         n = len(x)
         keep = n // 2 + 2
-        size = quick_length(n + keep)
+        size = fft.next_fast_len(n + keep, real=True)
         self.spectrum = fft.rfft(x, size)
         power = self.spectrum.real**2 + self.spectrum.imag**2
         self.values = fft.irfft(power, size, overwrite_x=True)[:keep]

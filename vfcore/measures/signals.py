@@ -34,7 +34,7 @@ class Signals:
     """Waveforms of one run, uniformly sampled, and the scalars that belong to them.
 
     Every wave has shape ``(n,)`` and may be float32 or float64; they are not copied. The measures use the
-    last half of the run, so that the onset transient is left out.
+    last half of the run, ``[n // 2, n)``, so that the onset transient is left out.
 
     - ``glottal_area_m2``: minimum glottal area A_g,min(t), m².
     - ``glottal_flow_m3_s``: glottal flow rate Q_g(t), m³/s.
@@ -45,9 +45,8 @@ class Signals:
     - ``contact_area_m2``: area of the medial surface in contact, m².
     - ``gap_m``: full distance between the posterior ends of the vibrating folds at rest, 2 L tan θ_g, m.
     - ``medial_area_m2``: area of one medial surface, L·b, m².
-    - ``left_out``: samples at the beginning of the run that the waves do not hold.
 
-    Raises ParameterError for waves of unequal length, or with values in that half that are not finite.
+    Raises ParameterError for waves of unequal length, or with values that are not finite.
     """
 
     sample_rate_hz: float
@@ -68,7 +67,6 @@ class Signals:
     far_distance_m: float = 0.3
     air_density_kg_m3: float = 1.14
     sound_speed_m_s: float = 350.0
-    left_out: int = 0
 
     def __post_init__(self):
         n = len(self.time_s)
@@ -80,8 +78,8 @@ class Signals:
                 continue
             if np.shape(wave) != (n,):
                 raise ParameterError(path, f"has shape {np.shape(wave)}", f"({n},), that of time_s")
-            if name not in MAY_BE_NAN and not _is_finite(wave[self.window_start :]):
-                raise ParameterError(path, "is not finite everywhere in the measured half", "finite numbers")
+            if name not in MAY_BE_NAN and not _is_finite(wave):
+                raise ParameterError(path, "is not finite everywhere", "finite numbers")
         for name in SCALARS:
             if not isfinite(getattr(self, name)):
                 raise ParameterError(f"signals.{name}", "is not finite", "a finite number")
@@ -90,8 +88,8 @@ class Signals:
 
     @property
     def window_start(self) -> int:
-        """Where the last half of the run, the part that is measured, begins in the waves."""
-        return window_start(len(self.time_s), self.left_out)
+        """First sample of the last half of the run, the part that is measured."""
+        return window_start(len(self.time_s))
 
 
 SCALARS = tuple(field.name for field in fields(Signals) if field.name not in WAVES)
@@ -103,6 +101,6 @@ def _is_finite(value: np.ndarray) -> bool:
         return bool(np.isfinite(value.sum()) or np.isfinite(value).all())
 
 
-def window_start(samples: int, left_out: int = 0) -> int:
-    """Where the last half of a run begins in waves of so many ``samples``, before which others were ``left_out``."""
-    return (samples + left_out) // 2 - left_out
+def window_start(samples: int) -> int:
+    """First sample of the last half of a run."""
+    return samples // 2
