@@ -25,6 +25,7 @@ class Host:
         self.playing = 0
         self._process: Any = None
         self._control: Connection | None = None
+        self._gone = threading.Event()  # set as soon as the process does not listen, before the system calls it dead
         self._starting = asyncio.Lock()
         self._numbers = count()
         self._over: dict[int, asyncio.Future[None]] = {}
@@ -53,23 +54,34 @@ class Host:
             self._process.join(1.0)
 
     async def _play(self, client: Handed) -> None:
-        number, over = next(self._numbers), asyncio.get_running_loop().create_future()
-        self._over[number] = over
-        control = self._control
         try:
-            control.send((number, *client))
+            number, over = self._hand(client)
+        except OSError:  # the process has just died: this voice gets the next one
+            self._gone.set()
+            await self._started()
+            number, over = self._hand(client)
+        control, waiting = self._control, self._over
+        try:
             client.socket.close()
             await over
         finally:
-            self._over.pop(number, None)
+            waiting.pop(number, None)
             if not over.done() or over.cancelled():
                 with suppress(OSError):
                     control.send((number,))
 
+    def _hand(self, client: Handed) -> tuple[int, asyncio.Future[None]]:
+        """Give a client to the process: its number there, and what is done when it has left."""
+        number, over = next(self._numbers), asyncio.get_running_loop().create_future()
+        self._control.send((number, *client))
+        self._over[number] = over
+        return number, over
+
     async def _started(self) -> None:
         async with self._starting:
-            if self._process is not None and self._process.is_alive():
+            if self._process is not None and self._process.is_alive() and not self._gone.is_set():
                 return
+            self._gone, self._over = threading.Event(), {}
             self._control, theirs = _SPAWN.Pipe()
             self._process = _SPAWN.Process(target=serve_voices, args=(theirs,), name="vocalis-voices", daemon=True)
             await asyncio.to_thread(self._process.start)
@@ -81,11 +93,16 @@ class Host:
             if not warm:
                 self.close()
                 raise NotReady("Not ready: the process that plays voices did not start.")
-            hearing = (self._control, asyncio.get_running_loop(), self._over)
+            hearing = (self._control, asyncio.get_running_loop(), self._over, self._gone)
             threading.Thread(target=_hear, args=hearing, name="voices", daemon=True).start()
 
 
-def _hear(control: Connection, loop: asyncio.AbstractEventLoop, over: dict[int, asyncio.Future[None]]) -> None:
+def _hear(
+    control: Connection,
+    loop: asyncio.AbstractEventLoop,
+    over: dict[int, asyncio.Future[None]],
+    gone: threading.Event,
+) -> None:
     """Note which clients have left; all, when the process ends."""
 
     def left(*numbers: int) -> None:
@@ -97,4 +114,5 @@ def _hear(control: Connection, loop: asyncio.AbstractEventLoop, over: dict[int, 
         with suppress(EOFError, OSError):
             while True:
                 loop.call_soon_threadsafe(left, control.recv())
+        gone.set()
         loop.call_soon_threadsafe(left)

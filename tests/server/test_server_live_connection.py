@@ -75,6 +75,18 @@ def test_a_voice_whose_process_dies_ends_and_the_next_one_has_another(stage):
         assert Heard(playing).listen(0.1).blocks
 
 
+def test_a_voice_that_meets_a_process_not_yet_known_to_be_dead_gets_the_next_one(stage, monkeypatch):
+    with voice(stage) as playing:
+        Heard(playing).listen(0.1)
+    voices = stage.services.voices
+    voices._process.kill()
+    wait_until(voices._gone.is_set)
+    monkeypatch.setattr(voices._process, "is_alive", lambda: True)
+    voices._gone.clear()
+    with voice(stage) as playing:
+        assert Heard(playing).listen(0.1).blocks
+
+
 def test_when_the_server_stops_it_says_so():
     with ExitStack() as here:
         with serving() as server:

@@ -46,7 +46,7 @@ def test_a_server_that_closes_while_its_workers_warm_up_leaves_none_behind():
     engine = Engine(2, listener=None, points=None, warm=2)
     engine.warm()
     engine.close()
-    wait_until(lambda: not [child for child in active_children() if child.name == "vocalis-worker"], seconds=3)
+    wait_until(lambda: not [child for child in active_children() if child.name == "vocalis-worker"])
 
 
 def test_a_job_survives_the_death_of_its_worker(own):
