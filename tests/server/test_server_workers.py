@@ -47,6 +47,7 @@ def test_a_server_that_closes_while_its_workers_warm_up_leaves_none_behind():
     engine.warm()
     engine.close()
     wait_until(lambda: not set(active_children()) - set(before))
+    assert engine.worker_pids == ()
 
 
 def test_a_job_survives_the_death_of_its_worker(own):
