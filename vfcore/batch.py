@@ -8,8 +8,9 @@ from vfcore.acoustics.airways import airways_of
 from vfcore.assemble import Fold
 from vfcore.errors import DivergenceError, ParameterError, VocalisError
 from vfcore.march import March
-from vfcore.march_batch import Motion, Outcome, march_many
+from vfcore.march_batch import FLOW, Motion, Outcome, march_many
 from vfcore.measures.catalogue import MeasureReport, known_keys, measure_all
+from vfcore.measures.signals import unread, window_start
 from vfcore.params import Simulation
 from vfcore.posture.equilibrium import solve_each_posture
 from vfcore.posture.solution import PostureSolution
@@ -91,7 +92,8 @@ def _motion(request: Simulation, fold: Fold) -> Motion:
     run = request.run
     start = static_shape_of(fold) if run.start == "static" else None
     step_s = time_step_s(run, fold)
-    return Motion(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+    motion = Motion(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+    return motion._replace(left_out=unread(round(run.duration_s / motion.sample_s), motion.sample_s))
 
 
 def _coupled(request: Simulation, fold: Fold, stop) -> Outcome:
@@ -103,19 +105,21 @@ def _coupled(request: Simulation, fold: Fold, stop) -> Outcome:
     try:
         record = march.run(round(motion.duration_s / motion.sample_s), None, stop)
     except DivergenceError as error:
-        return Outcome(None, motion.sample_s, error)
-    return Outcome(record, motion.sample_s, None)
+        return Outcome(None, None, motion.sample_s, error)
+    return Outcome(record, record[:, FLOW], motion.sample_s, None)
 
 
 def _reduced(request: Simulation, posture: PostureSolution, fold: Fold, outcome: Outcome, keys) -> Point:
     if outcome.problem is not None:
         return Point(None, None, outcome.problem)
     try:
-        arrays = waveforms(outcome.record, outcome.sample_s, fold.nx)
+        flow_m3_s, sample_s = outcome.flow_m3_s, outcome.sample_s
+        left_out = len(flow_m3_s) - len(outcome.record)
+        arrays = waveforms(outcome.record, sample_s, fold.nx)
         report = measure_all(
-            signals_of(request, posture, fold, arrays, outcome.sample_s),
+            signals_of(request, posture, fold, arrays, sample_s, window_start(len(flow_m3_s)) - left_out),
             keys,
-            radiate=lambda: measured_sound(request, arrays["glottal_flow_m3_s"], outcome.sample_s),
+            radiate=lambda: measured_sound(request, flow_m3_s, sample_s, left_out),
         )
     except VocalisError as error:
         return Point(None, None, error)

@@ -192,8 +192,3 @@ def diverged(fold: assemble.Fold, time_step_s: float, step: int, beyond: np.ndar
         "Try a lower pressure or the constants' default values; if the same happens at a step below "
         f"{time_step_s:.3g} s, the step is not to blame.",
     )
-
-
-def contact_location(record: np.ndarray, nx: int) -> np.ndarray:
-    """x/L of the largest contact pressure at each sample; NaN without contact."""
-    return record[:, RECORD.index("contact_column")] / (nx - 1)

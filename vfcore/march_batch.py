@@ -20,10 +20,14 @@ from vfcore.statics import StaticShape
 
 #: The columns of layout.RECORD that folds differ in: beyond the glottis all are P_s and 0.
 OF_EACH = RECORD[: RECORD.index("inlet_pressure_pa")]
+FLOW = OF_EACH.index("glottal_flow_m3_s")
 
 
 class Motion(NamedTuple):
-    """One fold to be set in motion: from ``start``, or flat with a bump of 1 nm."""
+    """One fold to be set in motion: from ``start``, or flat with a bump of 1 nm.
+
+    ``left_out``: of how many of the first samples nothing is kept but the flow.
+    """
 
     fold: assemble.Fold
     time_step_s: float
@@ -31,6 +35,7 @@ class Motion(NamedTuple):
     duration_s: float
     rise_s: float = 0.0
     start: StaticShape | None = None
+    left_out: int = 0
 
     @property
     def sample_s(self) -> float:
@@ -39,9 +44,12 @@ class Motion(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """The record (samples, len(OF_EACH)) of one fold, float64, each column contiguous; or why there is none."""
+    """The record (samples − left_out, len(OF_EACH)) of one fold and its flow (samples,), m³/s, each column contiguous
+    and in the precision of the march; or why there are none.
+    """
 
     record: np.ndarray | None
+    flow_m3_s: np.ndarray | None
     sample_s: float
     problem: DivergenceError | None
 
@@ -62,7 +70,7 @@ def march_many(
     alike: dict[tuple, list[int]] = defaultdict(list)
     for index, motion in enumerate(motions):
         fold, samples = motion.fold, round(motion.duration_s / motion.sample_s)
-        alike[fold.nx, fold.ny, fold.rotation, motion.time_step_s, samples].append(index)
+        alike[fold.nx, fold.ny, fold.rotation, motion.time_step_s, motion.left_out, samples].append(index)
     together = LANES[precision]
     batches = [
         (key[-1], members[begin : begin + together])
@@ -72,11 +80,11 @@ def march_many(
     for done, (samples, members) in enumerate(batches):
         batch = _Batch([motions[index] for index in members], precision)
         told = (lambda part, done=done: progress((done + part) / len(batches))) if progress is not None else None
-        records = batch.run(samples, told, stop)
+        records, flows = batch.run(samples, told, stop)
         for place, index in enumerate(members):
-            problem = batch.problems[place]
-            record = None if problem is not None else records[place].T
-            yield index, Outcome(record, motions[index].sample_s, problem)
+            problem, sample_s = batch.problems[place], motions[index].sample_s
+            found = (records[place].T, flows[place]) if problem is None else (None, None)
+            yield index, Outcome(*found, sample_s, problem)
 
 
 class _Batch:
@@ -85,7 +93,7 @@ class _Batch:
     def __init__(self, motions: Sequence[Motion], precision: str):
         first = motions[0].fold
         self.motions, self.folds = motions, LANES[precision]
-        self.time_step_s = motions[0].time_step_s
+        self.time_step_s, self.left_out = motions[0].time_step_s, motions[0].left_out
         self.record_every = record_every(self.time_step_s)
         self.problems: list[DivergenceError | None] = [None] * len(motions)
         self.layout = Layout(first.nx, first.ny, self.folds, self.folds)
@@ -114,9 +122,12 @@ class _Batch:
 
     def run(
         self, samples: int, progress: Callable[[float], None] | None, stop: Callable[[], bool] | None
-    ) -> np.ndarray:
-        """Records (len(motions), len(OF_EACH), samples), float64; a fold in ``problems`` has none."""
-        records = np.empty((len(self.motions), len(OF_EACH), samples))
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Records (len(motions), len(OF_EACH), samples − left_out) and flows (len(motions), samples); a fold in
+        ``problems`` has none.
+        """
+        kind, count, skip = self.buffer.dtype, len(self.motions), self.left_out
+        records, flows = np.empty((count, len(OF_EACH), samples - skip), kind), np.empty((count, samples), kind)
         per_chunk = samples_per_chunk(self.motions[0].fold, self.time_step_s)
         room = np.empty((min(per_chunk, samples), len(RECORD), self.folds), self.buffer.dtype)
         for begin in range(0, samples, per_chunk):
@@ -125,12 +136,15 @@ class _Batch:
             end = min(begin + per_chunk, samples)
             chunk = room[: end - begin]
             self._chunk(begin, chunk)
-            records[:, :, begin:end] = chunk[:, : len(OF_EACH), : len(self.motions)].transpose(2, 1, 0)
+            flows[:, begin:end] = chunk[:, FLOW, :count].T
+            if end > skip:
+                kept = chunk[max(skip - begin, 0) :, : len(OF_EACH), :count]
+                records[:, :, max(begin - skip, 0) : end - skip] = kept.transpose(2, 1, 0)
             if progress is not None:
                 progress(end / samples)
             if None not in self.problems:
                 break
-        return records
+        return records, flows
 
     def _chunk(self, first_sample: int, record: np.ndarray) -> None:
         self._before[:] = self.buffer

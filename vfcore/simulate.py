@@ -16,7 +16,7 @@ from vfcore.assemble import Fold, assemble
 from vfcore.error_estimate import REFINEMENTS, Level, companion_step_s, companions, richardson, without_bars
 from vfcore.errors import DivergenceError
 from vfcore.kernels.layout import RECORD
-from vfcore.march import March, contact_location
+from vfcore.march import March
 from vfcore.measures.catalogue import MeasureReport, measure_all
 from vfcore.measures.signals import Signals, Sound, window_start
 from vfcore.params import Simulation
@@ -166,21 +166,26 @@ def _run_with_companions(request: Simulation, progress, stop, prepared_by) -> Si
 
 
 def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
-    """The waveforms by name, (samples,) each, of a record of the first columns of layout.RECORD: all but the sound."""
+    """The waveforms by name, (samples,) each, float64, of a record of the first columns of layout.RECORD: all but the
+    sound. ``contact_location`` is x/L of the largest contact pressure, NaN without contact.
+    """
     waves = {"time_s": np.arange(len(record)) * sample_s}
-    for k, name in enumerate(RECORD[: record.shape[1]]):
+    for name, column in zip(RECORD, record.T, strict=False):
+        wave = np.ascontiguousarray(column, np.float64)
         if name == "contact_column":
-            waves["contact_location"] = contact_location(record, nx)
+            waves["contact_location"] = wave / (nx - 1)
         else:
-            waves[name] = np.ascontiguousarray(record[:, k])
+            waves[name] = wave
     return waves
 
 
-def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
-    """Sound of a run where it is measured, its last half: the whole sound bit for bit, and 0 before."""
+def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float, left_out: int = 0) -> Sound:
+    """Sound of a run where it is measured, its last half: the whole sound bit for bit, and 0 before, without its first
+    ``left_out`` samples.
+    """
     start = window_start(len(flow_m3_s))
     heard = radiate(flow_m3_s, sample_s, tract_of(request), first=start, mouth_flow=False)
-    silence = np.zeros(start)
+    silence = np.zeros(start - left_out)
     return Sound(np.concatenate((silence, heard.lip_pressure_pa)), np.concatenate((silence, heard.far_pressure_pa)))
 
 
@@ -193,7 +198,12 @@ def _whole_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) ->
 
 
 def signals_of(
-    request: Simulation, posture: PostureSolution, fold: Fold, arrays: dict[str, np.ndarray], sample_s: float
+    request: Simulation,
+    posture: PostureSolution,
+    fold: Fold,
+    arrays: dict[str, np.ndarray],
+    sample_s: float,
+    measured_from: int | None = None,
 ) -> Signals:
     """What the measures are told of a run: its ``waveforms`` and scalars, without the sound."""
     c = fold.coefficients
@@ -215,6 +225,7 @@ def signals_of(
         medial_area_m2=c.length_m * c.thickness_m,
         air_density_kg_m3=request.constants.rho_a_kg_m3,
         sound_speed_m_s=request.constants.c_a_m_s,
+        measured_from=measured_from,
     )
 
 

@@ -9,6 +9,7 @@ import vfcore
 from vfcore.batch import run_points, static_shapes
 from vfcore.errors import Cancelled, ParameterError, StabilityError
 from vfcore.measures import CATALOGUE
+from vfcore.measures.signals import unread
 from vfcore.request import simulation_from_dict
 from vfcore.simulate import simulate
 
@@ -42,6 +43,24 @@ def test_a_point_does_not_depend_on_its_neighbours():
     requests = [_short(), HIGH, _short(subglottal_pressure_pa=700.0)]
     (alone,) = run_points([HIGH])
     assert [*run_points(requests)][1] == [*run_points(requests[::-1])][1] == alone
+
+
+@pytest.mark.parametrize("precision", ["float64", "float32"])
+def test_what_is_left_out_of_the_record_changes_no_measure(precision, monkeypatch):
+    """But by rounding, as instants are counted from another sample; in every state, and for tracts that ring longer."""
+    postures = [vfcore.Activation(ta=0.2 * k, ct=0.1, lca=0.5, ia=0.5) for k in range(6)]
+    requests = [vfcore.Simulation(activation=posture, vowel=vowel) for posture in postures for vowel in "ai"]
+    asked = []
+    monkeypatch.setattr("vfcore.batch.unread", lambda *given: asked.append(unread(*given)) or asked[-1])
+    shortened = list(run_points(requests, precision=precision))
+    assert min(asked) > 10_000
+    monkeypatch.setattr("vfcore.batch.unread", lambda *given: 0)
+    for whole, point in zip(run_points(requests, precision=precision), shortened, strict=True):
+        assert point.report.state == whole.report.state
+        for key, measure in whole.report.measures.items():
+            value = point.report.measures[key].value
+            assert value == (measure.value and pytest.approx(measure.value, rel=1e-12)), key
+    assert len({point.report.state for point in shortened}) > 1
 
 
 def test_a_measure_has_the_same_value_whatever_else_is_asked_for():

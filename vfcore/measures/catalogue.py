@@ -43,7 +43,7 @@ class MeasureReport:
     ``state``: none | periodic | subharmonic | irregular, with the sentence ``explanation``.
     ``periodicity``: normalised autocorrelation peak, None without phonation. ``measures``: by key, every row of the
     catalogue or those asked for. ``cycles``: how many cycles were averaged. ``cycle_bounds``: samples [start, stop)
-    of one representative repeating pattern in the full waves, None where no cycle can be followed.
+    of one representative repeating pattern in the waves, None where no cycle can be followed.
     """
 
     state: str

@@ -20,6 +20,7 @@ WAVES = (
 )
 MAY_BE_NAN = ("contact_location",)
 MIN_SAMPLES = 16
+READ_BEFORE_S = 0.02  # before the measured half, by slopes and minima at its edge: many times what they need
 
 
 class Sound(NamedTuple):
@@ -33,8 +34,8 @@ class Sound(NamedTuple):
 class Signals:
     """Waveforms of one run, uniformly sampled, and the scalars that belong to them.
 
-    Every wave has shape ``(n,)`` and may be float32 or float64; they are not copied. The measures use the
-    last half of the run, ``[n // 2, n)``, so that the onset transient is left out.
+    Every wave has shape ``(n,)`` and may be float32 or float64; they are not copied. The measures use the part from
+    sample ``window_start`` on, so that the onset transient is left out.
 
     - ``glottal_area_m2``: minimum glottal area A_g,min(t), m².
     - ``glottal_flow_m3_s``: glottal flow rate Q_g(t), m³/s.
@@ -45,6 +46,7 @@ class Signals:
     - ``contact_area_m2``: area of the medial surface in contact, m².
     - ``gap_m``: full distance between the posterior ends of the vibrating folds at rest, 2 L tan θ_g, m.
     - ``medial_area_m2``: area of one medial surface, L·b, m².
+    - ``measured_from``: where the measured part begins in the waves; None: in the middle, the last half of a run.
 
     Raises ParameterError for waves of unequal length, or with values that are not finite.
     """
@@ -67,6 +69,7 @@ class Signals:
     far_distance_m: float = 0.3
     air_density_kg_m3: float = 1.14
     sound_speed_m_s: float = 350.0
+    measured_from: int | None = None
 
     def __post_init__(self):
         n = len(self.time_s)
@@ -88,11 +91,11 @@ class Signals:
 
     @property
     def window_start(self) -> int:
-        """First sample of the last half of the run, the part that is measured."""
-        return window_start(len(self.time_s))
+        """First sample of the part that is measured."""
+        return window_start(len(self.time_s)) if self.measured_from is None else self.measured_from
 
 
-SCALARS = tuple(field.name for field in fields(Signals) if field.name not in WAVES)
+SCALARS = tuple(field.name for field in fields(Signals) if field.name not in (*WAVES, "measured_from"))
 
 
 def _is_finite(value: np.ndarray) -> bool:
@@ -104,3 +107,8 @@ def _is_finite(value: np.ndarray) -> bool:
 def window_start(samples: int) -> int:
     """First sample of the last half of a run."""
     return samples // 2
+
+
+def unread(samples: int, sample_s: float) -> int:
+    """How many of the first samples of a run no measure reads, of other waves than the sound."""
+    return max(0, window_start(samples) - round(READ_BEFORE_S / sample_s))
