@@ -93,7 +93,7 @@ class SweepWork:
         with self._planning:
             if self._todo is None:
                 self._resume(points)
-            size, look = self.portions.next_size(), 0
+            size, look = self.portions.next_size(len(self._todo)), 0
             positions: list[int] = []
             addresses: list[str] = []
             waiting: list[int] = []

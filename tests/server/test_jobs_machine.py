@@ -103,7 +103,7 @@ class Jobs(RuleBasedStateMachine):
         if not work.begun:
             work.begun = True
             self.shop.ledger.started(work.id)
-        work.portions.next_size = lambda: 2
+        work.portions.next_size = lambda left: 2
         task = work.next_task(self.shop.points, self.shop.ledger, self.shop.engine.in_flight)
         if task is not None:
             if not work.fresh:

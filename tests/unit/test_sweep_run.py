@@ -66,7 +66,15 @@ def test_tasks_are_whole_batches_of_the_step(precision):
     portions = Portions(sweep_from_dict({"axes": axes, "precision": precision}), workers=2)
     for seconds in (0.03, 0.015, 0.01):
         portions.learn(1, seconds)
-        assert portions.next_size() % LANES[precision] == 0
+        assert portions.next_size(len(values) ** 2) % LANES[precision] == 0
+
+
+def test_the_last_points_are_shared_out():
+    axes = [{"parameter": "activation.ct", "values": [k / 400 for k in range(400)]}]
+    portions = Portions(sweep_from_dict({"axes": axes}), workers=2)
+    for _ in range(4):
+        portions.learn(1, 1e-3)
+    assert portions.next_size(400) > portions.next_size(50) > portions.next_size(10) == LANES["float64"]
 
 
 def test_what_is_not_computed_yet_is_pending():

@@ -57,13 +57,14 @@ class Portions:
         self._point_s = _OVERHEAD_S + _GUESS_S * point_node_steps(sweep)
         self._lock = threading.Lock()
 
-    def next_size(self) -> int:
-        """Points of a task of 0.2 to 1 s; whole batches where a batch fits."""
+    def next_size(self, left: int) -> int:
+        """Points of a task of 0.2 to 1 s; whole batches where a batch fits, and of the ``left`` ones a fair share."""
         with self._lock:
-            total_s = self._point_s * self._points
-            wanted_s = min(max(total_s / (max(1, self.workers) * TASKS_PER_WORKER), TASK_S[0]), TASK_S[1])
-            size = max(1, min(round(wanted_s / self._point_s), MOST_PER_TASK))
-            return size if size < self._lanes else size // self._lanes * self._lanes
+            workers, total_s = max(1, self.workers), self._point_s * self._points
+            wanted_s = min(max(total_s / (workers * TASKS_PER_WORKER), TASK_S[0]), TASK_S[1])
+            share = max(left / workers, self._lanes)
+            size = max(1, round(min(wanted_s / self._point_s, share, MOST_PER_TASK)))
+            return size if size < self._lanes else round(size / self._lanes) * self._lanes
 
     def learn(self, points: int, seconds: float) -> None:
         """A task of so many points took so long. The first one may have compiled kernels: later ones correct it."""

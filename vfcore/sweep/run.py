@@ -124,7 +124,8 @@ class _Run:
         if self._suspects:
             task = self._suspects.popleft()
         elif self._todo:
-            size = min(self._portions.next_size(), len(self._todo))
+            left = len(self._todo)
+            size = min(self._portions.next_size(left), left)
             task = _Task([self._todo.popleft() for _ in range(size)])
         else:
             return None
