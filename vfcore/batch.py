@@ -14,7 +14,8 @@ from vfcore.measures.signals import unread, window_start
 from vfcore.params import Simulation
 from vfcore.posture.equilibrium import solve_each_posture
 from vfcore.posture.solution import PostureSolution
-from vfcore.simulate import Prepared, fold_of, measured_sound, posture_of, signals_of, waveforms
+from vfcore.simulate import Prepared, fold_of, posture_of, signals_of, waveforms
+from vfcore.sound import measured_sound
 from vfcore.stability import time_step_s
 from vfcore.statics import static_shape_of
 

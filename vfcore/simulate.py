@@ -10,19 +10,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfcore.acoustics.airways import airways_of, tract_of
-from vfcore.acoustics.impulse_response import radiate
+from vfcore.acoustics.airways import airways_of
 from vfcore.assemble import Fold, assemble
 from vfcore.error_estimate import REFINEMENTS, Level, companion_step_s, companions, richardson, without_bars
 from vfcore.errors import DivergenceError
 from vfcore.kernels.layout import RECORD
 from vfcore.march import March
 from vfcore.measures.catalogue import MeasureReport, measure_all
-from vfcore.measures.signals import Signals, Sound, window_start
+from vfcore.measures.signals import Signals
 from vfcore.params import Simulation
 from vfcore.posture.equilibrium import solve_posture
 from vfcore.posture.solution import PostureSolution
 from vfcore.result import Provenance, SimulationResult
+from vfcore.sound import whole_sound
 from vfcore.stability import longest_stable_step_s, time_step_s
 from vfcore.statics import StaticShape, static_shape_of
 from vfcore.tissue.coefficients import Coefficients, coefficients
@@ -111,7 +111,7 @@ def _run(request: Simulation, progress, stop, ready: Prepared, step_s: float | N
     kernel_seconds = time.perf_counter() - began
 
     arrays = waveforms(record, sample_s, fold.nx)
-    sound = _whole_sound(request, arrays["glottal_flow_m3_s"], sample_s)
+    sound = whole_sound(request, arrays["glottal_flow_m3_s"], sample_s)
     arrays |= {"radiated_pressure_pa": sound.lip_pressure_pa, "far_pressure_pa": sound.far_pressure_pa}
     report = measure_all(signals_of(request, ready.posture, fold, arrays, sample_s), radiate=lambda: sound)
     first, last, complete = _cycle_bounds(report, march, samples, sample_s)
@@ -177,24 +177,6 @@ def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndar
         else:
             waves[name] = wave
     return waves
-
-
-def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float, left_out: int = 0) -> Sound:
-    """Sound of a run where it is measured, its last half: the whole sound bit for bit, and 0 before, without its first
-    ``left_out`` samples.
-    """
-    start = window_start(len(flow_m3_s))
-    heard = radiate(flow_m3_s, sample_s, tract_of(request), first=start, mouth_flow=False)
-    silence = np.zeros(start - left_out)
-    return Sound(np.concatenate((silence, heard.lip_pressure_pa)), np.concatenate((silence, heard.far_pressure_pa)))
-
-
-def _whole_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
-    start = window_start(len(flow_m3_s))
-    sound = measured_sound(request, flow_m3_s, sample_s)
-    before = radiate(flow_m3_s[:start], sample_s, tract_of(request), mouth_flow=False)
-    sound.lip_pressure_pa[:start], sound.far_pressure_pa[:start] = before.lip_pressure_pa, before.far_pressure_pa
-    return sound
 
 
 def signals_of(

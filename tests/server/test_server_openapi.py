@@ -6,53 +6,17 @@
 import os
 from collections import Counter
 from contextlib import suppress
-from itertools import cycle
 
 import httpx
 import pytest
-import schemathesis
-from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import Phase, given, settings
 from hypothesis.errors import Unsatisfiable
 from schemathesis import GenerationMode
-from schemathesis.checks import not_a_server_error
-from schemathesis.specs.openapi.checks import (
-    content_type_conformance,
-    response_headers_conformance,
-    response_schema_conformance,
-    status_code_conformance,
-)
 
-from tests.server.live_server import SHORT, finish, run, serving
-from vocalis_server.app import create_app
-from vocalis_server.settings import Settings
+from tests.server.generated_requests import DOCUMENT, QUIET, api, check, served
 
-CHECKS = [
-    not_a_server_error,
-    status_code_conformance,
-    content_type_conformance,
-    response_headers_conformance,
-    response_schema_conformance,
-]
 CASES_PER_CALL = int(os.environ.get("VOCALIS_SCHEMA_CASES", 55))  # of each kind, right and wrong
-SWEEP = {"kind": "sweep", "base": SHORT, "axes": [{"parameter": "activation.ct", "values": [0.2, 0.4]}]}
-RUNS = ("/api/v1/simulate", "/api/v1/jobs", "/api/v1/gestures")
-SHORTEST_S = 0.02
-QUIET = {"deadline": None, "derandomize": True, "database": None, "suppress_health_check": list(HealthCheck)}
-
-
-@pytest.fixture(scope="module")
-def target():
-    """A server for cheap runs only, with a finished simulation and a finished sweep to ask about."""
-    limits = {"simulate_node_steps": 3e6, "job_node_steps": 3e6, "sweep_node_steps": 3e6}
-    with serving(**limits, jobs_per_client=10_000, queue_length=10_000) as server:
-        with server.client() as client:
-            jobs = [finish(client, run(client, body)) for body in (SHORT, SWEEP)]
-        yield server, cycle([job["id"] for job in jobs])
-
-
-DOCUMENT = create_app(Settings(_env_file=None)).openapi()
-# /events has no end; a job's events are asked for.
-api = schemathesis.openapi.from_dict(DOCUMENT).exclude(path="/api/v1/events")
+target = pytest.fixture(served, scope="module")
 
 
 def test_a_thousand_generated_requests_find_no_undeclared_answer(target):
@@ -73,42 +37,6 @@ def test_a_thousand_generated_requests_find_no_undeclared_answer(target):
     assert labels == {operation.ok().label for operation in api.get_all_operations()}
     # A job that was only made up cannot be dismissed; everything else also succeeded.
     assert {label for label, status in seen if status < 300} == labels - {"DELETE /api/v1/jobs/{job_id}"}
-
-
-@pytest.mark.slow
-@api.parametrize()
-@settings(phases=[Phase.explicit], **QUIET)
-def test_no_bound_of_any_field_finds_an_undeclared_answer(case, target):
-    check(case, target, ask_for_the_job=True)
-
-
-def check(case, target, ask_for_the_job: bool) -> int:
-    """Make one request; the status of its answer."""
-    server, job_ids = target
-    if case.operation.path in RUNS and isinstance(case.body, dict):
-        cheap(case.body)
-    if ask_for_the_job and "job_id" in (case.path_parameters or {}) and case.method == "GET":
-        case.path_parameters["job_id"] = next(job_ids)
-    if ask_for_the_job and "gesture_id" in (case.path_parameters or {}):
-        case.path_parameters["gesture_id"] = httpx.post(f"{server.url}/api/v1/gestures", json=SHORT).json()["id"]
-    return case.call_and_validate(base_url=server.url, checks=CHECKS).status_code
-
-
-def cheap(body: dict) -> None:
-    """Make runs that would be taken short, and keep them on the one compiled grid; what is wrong stays wrong."""
-    if body.get("kind") == "sweep":
-        body["base"] = body.get("base") or {}
-        if "run." in str(body.get("axes")) + str(body.get("points")):
-            del body["kind"]
-        body = body["base"]
-    if not isinstance(body, dict):
-        return
-    run = body.setdefault("run", {})
-    if isinstance(run, dict) and isinstance(run.setdefault("duration_s", SHORTEST_S), int | float):
-        run["duration_s"] = min(run["duration_s"], SHORTEST_S)
-        for name in ("nx", "ny", "time_step_s", "pressure_rise_s"):
-            if isinstance(run.get(name), int | float):
-                run.pop(name)
 
 
 def test_the_document_is_served(target):

@@ -1,0 +1,27 @@
+"""The sound of a run, worked out after it from its flow; of many runs only where they are measured."""
+
+import numpy as np
+
+from vfcore.acoustics.airways import tract_of
+from vfcore.acoustics.impulse_response import radiate
+from vfcore.measures.signals import Sound, window_start
+from vfcore.params import Simulation
+
+
+def measured_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float, left_out: int = 0) -> Sound:
+    """Sound of a run where it is measured, its last half: the whole sound bit for bit, and 0 before, without its first
+    ``left_out`` samples.
+    """
+    start = window_start(len(flow_m3_s))
+    heard = radiate(flow_m3_s, sample_s, tract_of(request), first=start, mouth_flow=False)
+    silence = np.zeros(start - left_out)
+    return Sound(np.concatenate((silence, heard.lip_pressure_pa)), np.concatenate((silence, heard.far_pressure_pa)))
+
+
+def whole_sound(request: Simulation, flow_m3_s: np.ndarray, sample_s: float) -> Sound:
+    """Sound of a run from its flow (n,), m³/s, bit for bit that of ``measured_sound`` in the last half."""
+    start = window_start(len(flow_m3_s))
+    sound = measured_sound(request, flow_m3_s, sample_s)
+    before = radiate(flow_m3_s[:start], sample_s, tract_of(request), mouth_flow=False)
+    sound.lip_pressure_pa[:start], sound.far_pressure_pa[:start] = before.lip_pressure_pa, before.far_pressure_pa
+    return sound
