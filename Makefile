@@ -35,7 +35,7 @@ modal: $(VENV)/.installed
 bench: $(VENV)/.installed
 	@$(BIN)/vocalis bench $(if $(CHECK),--check)
 
-test: lint test-all test-kernels
+test: lint test-kernels test-all
 
 lint: $(VENV)/.tested
 	$(BIN)/ruff check .
@@ -47,12 +47,12 @@ compiled: $(VENV)/.tested
 
 test-all: $(VENV)/.tested chromium compiled
 	$(BIN)/python -m pytest -q -n 3 -m "not slow and not browser and not alone"
-	$(BIN)/python -m pytest -q -n 2 -m "browser and not alone and not slow"
+	$(BIN)/python -m pytest -q -n 2 -m "browser and not alone and not slow" tests/browser
 	$(BIN)/python -m pytest -q -m "alone and not slow"
 
-# The kernels as plain Python, and with every index checked: one core each.
-test-kernels:
-	@$(MAKE) --no-print-directory -j 2 --output-sync=target test-interpreted test-boundscheck
+# The kernels as plain Python, with every index checked, and compiled for the tests that follow: one core each.
+test-kernels: $(VENV)/.tested
+	@$(MAKE) --no-print-directory -j 2 --output-sync=target test-boundscheck compiled test-interpreted
 
 test-interpreted: $(VENV)/.tested
 	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -q -m kernel tests/physics

@@ -41,7 +41,7 @@ def test_the_wheel_in_an_empty_environment_serves_the_page(wheel, tmp_path):
     environment = tmp_path / "env"
     subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)
     bin_folder = environment / ("Scripts" if os.name == "nt" else "bin")
-    subprocess.run([bin_folder / "python", "-m", "pip", "install", "--quiet", str(wheel)], check=True)
+    subprocess.run([bin_folder / "python", "-m", "pip", "install", "--quiet", "--no-compile", str(wheel)], check=True)
     clean = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "NUMBA", "VOCALIS"))}
     server = subprocess.Popen(
         [bin_folder / "vocalis", "serve", "--port", "0"],
