@@ -118,6 +118,7 @@ def measure_map() -> dict:
         "points": len(sweep),
         "plain_loop_s": round(plain_s, 1),
         "plain_loop_over_map": round(plain_s / every["seconds"], 1),
+        "plain_loop_over_map_float32": round(plain_s / single["seconds"], 1),
         "one_core_without_jobs_s": round(alone, 3),
         "one_worker": one,
         "all_workers": every | {"workers": cores},

@@ -86,10 +86,14 @@ class Visit:
         return self.page.get_by_role("textbox", name=f"{name}, typed value")
 
     def picture(self, name: str) -> str:
-        return self.page.evaluate(PICTURE, name)
+        return self._of_picture(PICTURE, name)
 
     def ink(self, name: str) -> float:
-        return self.page.evaluate(INK, name)
+        return self._of_picture(INK, name)
+
+    def _of_picture(self, script: str, name: str):
+        self.page.wait_for_selector(f"[data-picture={name}]", state="attached")
+        return self.page.evaluate(script, name)
 
     def result_id(self) -> str:
         return self.page.locator(".strip").get_attribute("data-result")

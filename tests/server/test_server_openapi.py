@@ -15,7 +15,7 @@ from schemathesis import GenerationMode
 
 from tests.server.generated_requests import DOCUMENT, QUIET, api, check, served
 
-CASES_PER_CALL = int(os.environ.get("VOCALIS_SCHEMA_CASES", 55))  # of each kind, right and wrong
+CASES_PER_CALL = int(os.environ.get("VOCALIS_SCHEMA_CASES", 33))  # of each kind, right and wrong
 target = pytest.fixture(served, scope="module")
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.server.live_server import LONG, SHORT, finish, run, serving
+from tests.server.live_server import LONG, SHORT, finish, run, serving, wait_until
 from vfcore.batch import static_shapes
 from vfcore.errors import PostureError
 
@@ -152,7 +152,9 @@ def test_a_body_too_large_is_413_whether_it_says_so_or_not(client):
 
 def test_too_many_jobs_are_429_with_the_limit_and_when_to_come_back():
     with serving(jobs_per_client=3, queue_length=1, workers=1) as server, server.client() as client:
-        jobs = [run(client, LONG | {"fresh": True}) for _ in range(2)]
+        jobs = [run(client, LONG | {"fresh": True})]
+        wait_until(lambda: client.get(f"/jobs/{jobs[0]['id']}").json()["status"] == "running")
+        jobs.append(run(client, LONG | {"fresh": True}))
         answer = client.post("/jobs", json=LONG | {"fresh": True})
         assert "1 jobs in the queue" in problem(answer, 429)["detail"] and int(answer.headers["retry-after"]) > 0
         client.delete(f"/jobs/{jobs[1]['id']}")
