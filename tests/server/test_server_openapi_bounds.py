@@ -1,4 +1,4 @@
-"""Every bound of every field of the OpenAPI document, one request each: some thousand, with ``-m slow``.
+"""Every bound of every field of the OpenAPI document, one request each, with ``-m slow``: some minutes.
 
 Schemathesis writes them down when the file is collected, 20 s, so a run without slow tests leaves it out (conftest.py).
 """
