@@ -36,9 +36,15 @@ SMALLEST_GAP_M = 1e-11
 
 
 @jit
+def half_gap(G, w):
+    """Half the local gap height d_g, m; SMALLEST_GAP_M / 2 where the fold meets the medial plane."""
+    return maximum(G - w, 0.5 * SMALLEST_GAP_M)
+
+
+@jit
 def gap(G, w):
-    """Local gap height d_g, m; SMALLEST_GAP_M where the fold meets the medial plane."""
-    return maximum(2.0 * (G - w), SMALLEST_GAP_M)
+    """Local gap height d_g, m."""
+    return 2.0 * half_gap(G, w)
 
 
 @jit
@@ -63,6 +69,13 @@ def separation_gap(d_min, d_max, alpha_s):
 def attached(running_min, running_min_upstream, d_sep, d_min):
     """True where the flow is attached (open slice) or the node is on the lung side (closed slice)."""
     return where(is_open(d_min), running_min, running_min_upstream) > d_sep
+
+
+@jit
+def reciprocals(half_1, half_2):
+    """1/d₁ and 1/d₂, m⁻¹, from d₁/2 and d₂/2: one division for both, which costs more than the products do."""
+    per_product = 0.5 / (half_1 * half_2)
+    return per_product * half_2, per_product * half_1
 
 
 @jit

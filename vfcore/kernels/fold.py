@@ -35,7 +35,8 @@ from vfcore.kernels.lanes import all_of, each, lane, load, load_mask, maximum, m
 from vfcore.kernels.layout import LANES, RECORD, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
-gap, is_open, opening, size, square, cube = flow.gap, flow.is_open, flow.opening, flow.size, flow.square, flow.cube
+half_gap, reciprocals, is_open, opening = flow.half_gap, flow.reciprocals, flow.is_open, flow.opening
+size, square, cube = flow.size, flow.square, flow.cube
 separation_gap, attached, viscous_segment = flow.separation_gap, flow.attached, flow.viscous_segment
 viscous_drop, flux_root, slice_flux, pressure = flow.viscous_drop, flow.flux_root, flow.slice_flux, flow.pressure
 tension, coupling, kelvin_voigt = membrane.tension, membrane.coupling, membrane.kelvin_voigt
@@ -80,6 +81,16 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     PER_D, A_1, A_2 = L.line("per_D"), L.line("a"), L.line("c")
 
     @inlined
+    def half_gap_at(buf, o):
+        return half_gap(load(buf, G + o, W), load(buf, WM + o, W))
+
+    @inlined
+    def keep(buf, to, r, smallest, integral):
+        store(buf, R + to, square(r))
+        store(buf, M + to, smallest)
+        store(buf, I + to, integral)
+
+    @inlined
     def advance(buf, par, P_s_of, record_every, record, air=None):
         dt, dy, alpha_s = each(par, 0, P, W), each(par, 1, P, W), each(par, 2, P, W)
         half_rho_a, twelve_mu_a, T = each(par, 3, P, W), each(par, 4, P, W), each(par, 5, P, W)
@@ -108,30 +119,35 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     # gaps, the smallest from the inlet on, and the viscous integral from there
                     for g in range(groups):
                         i, here = first + g * W, g * ROWS
-                        smallest, d_max, integral, cube_below = far, zero, zero, zero
-                        for k in range(ny):
+                        smallest, largest_half, integral, cube_below = far, zero, zero, zero
+                        for k in range(0, ny, 2):  # rows in pairs
                             j = ny - 1 - k
-                            d = gap(load(buf, G + j * S + i, W), load(buf, WM + j * S + i, W))
-                            smallest, d_max = minimum(d, smallest), maximum(d, d_max)
-                            r = 1.0 / d
+                            o, to = j * S + i, here + j * W
+                            half = half_gap_at(buf, o)
+                            half_next = half_gap_at(buf, o - S) if j > 0 else far
+                            r, r_next = reciprocals(half, half_next)
+                            smallest, largest_half = minimum(half, smallest), maximum(half, largest_half)
                             if k > 0:
                                 integral = integral + viscous_segment(cube_below, cube(r))
-                            cube_below = cube(r)
-                            store(buf, R + here + j * W, square(r))
-                            store(buf, M + here + j * W, smallest)
-                            store(buf, I + here + j * W, integral)
-                        store(buf, MOST + g * W, d_max)
+                            keep(buf, to, r, smallest, integral)
+                            if j > 0:
+                                smallest, largest_half = minimum(half_next, smallest), maximum(half_next, largest_half)
+                                integral = integral + viscous_segment(cube(r), cube(r_next))
+                                keep(buf, to - W, r_next, smallest, integral)
+                            cube_below = cube(r_next)
+                        store(buf, MOST + g * W, largest_half)
 
                     # separation and flux
                     for g in range(groups):
                         i, here = first + g * W, g * ROWS
-                        d_min = load(buf, M + here, W)
-                        d_sep = separation_gap(d_min, load(buf, MOST + g * W, W), alpha_s)
+                        d_min = 2.0 * load(buf, M + here, W)
+                        d_sep = separation_gap(d_min, 2.0 * load(buf, MOST + g * W, W), alpha_s)
+                        half_sep = 0.5 * d_sep
                         integral, upstream = zero, far
                         for k in range(ny):
                             j = ny - 1 - k
                             running = load(buf, M + here + j * W, W)
-                            on = attached(running, upstream, d_sep, d_min)
+                            on = attached(running, upstream, half_sep, d_min)
                             upstream = running
                             store(buf, ON + here + j * W, on)
                             if j > 0:
