@@ -40,7 +40,7 @@ MAY_IMPORT = {
     "measures": {
         "errors",
         "fields",
-        *(f"kernels.{name}" for name in ("cycles", "harmonics", "repetition", "slope")),
+        *(f"kernels.{name}" for name in ("cepstrum", "cycles", "harmonics", "level", "repetition", "slope")),
     },
     "tissue": BASE | {"kernels"},
     "posture": BASE | {"kernels"},

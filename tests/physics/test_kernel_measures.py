@@ -5,7 +5,9 @@ import pytest
 
 from tests.support import measures_twin as twin
 from vfcore.kernels import cycles
+from vfcore.kernels.cepstrum import mean_prominence, relative_power, windowed_frames
 from vfcore.kernels.harmonics import first_two
+from vfcore.kernels.level import rms_about_mean
 from vfcore.kernels.repetition import maxima, normalise, vertex
 from vfcore.kernels.slope import gaussian_slope
 
@@ -36,12 +38,16 @@ def glottis(kind: str) -> tuple[np.ndarray, np.ndarray]:
     return area, bounds
 
 
+def largest_of(wave, bounds):
+    return np.array([wave[a:b].max() for a, b in zip(bounds[:-1], bounds[1:], strict=True)])
+
+
 @pytest.mark.parametrize("kind", ["closing", "abrupt", "clipped", "open", "leaking", "twice", "noise", "anywhere"])
 def test_open_phases_are_those_of_the_twin(kind):
     """Tolerance 1e-11 of a sample, of instants of some 10³ samples: rounding."""
     area, bounds = glottis(kind)
     largest_at = np.empty(len(bounds) - 1, dtype=np.int64)
-    cycles.where_largest(area, bounds, largest_at)
+    cycles.first_reached(area, bounds, largest_of(area, bounds), largest_at)
     assert np.array_equal(largest_at, twin.where_largest(area, bounds))
     phases = np.full((4, len(largest_at)), np.nan)
     cycles.open_phases(area, bounds, largest_at, CLOSED, FLANK, phases)
@@ -53,7 +59,7 @@ def test_the_time_above_a_level_is_that_of_the_twin():
     area, bounds = glottis("anywhere")
     area = np.round(8 * area)  # some lie at the level itself
     shares = np.empty(len(bounds) - 1)
-    cycles.time_above(area, bounds, 0.25, shares)
+    cycles.time_above(area, bounds, 0.25 * largest_of(area, bounds), shares)
     assert np.array_equal(shares, twin.time_above(area, bounds, 0.25))
 
 
@@ -119,3 +125,36 @@ def test_the_first_two_harmonics_are_those_of_the_twin(count):
     wave, window = 3.0 + rng(count).normal(size=count), np.hanning(count)
     found = first_two(wave, window, 0.21, np.empty((4, int(count**0.5) + 1)))
     np.testing.assert_allclose(found, twin.first_two(wave, window, 0.21), rtol=1e-10)
+
+
+@pytest.mark.parametrize("count", [1, 2, 257])
+def test_the_root_mean_square_is_about_the_mean(count):
+    wave = 7.0 + rng(count).normal(size=count)
+    assert rms_about_mean(wave) == pytest.approx(wave.std(), rel=1e-12, abs=1e-14)
+
+
+def test_frames_of_the_cepstrum_are_those_of_the_twin():
+    wave, window, frames = 2.0 + rng(3).normal(size=100), np.hamming(32), np.empty((5, 32))
+    windowed_frames(wave, window, 17, frames)
+    np.testing.assert_allclose(frames, twin.windowed_frames(wave, window, 17), rtol=0, atol=1e-14)
+
+
+def test_the_power_is_relative_to_each_frame_and_has_a_floor():
+    spectrum = np.fft.rfft(rng(4).normal(size=(3, 60)) * [[1.0], [1e3], [1e-3]], axis=1)
+    power = np.empty((3, 20))
+    faintest = relative_power(spectrum, 0.05, power)
+    np.testing.assert_allclose(power, twin.relative_power(spectrum, 0.05, 20), rtol=1e-12)
+    assert (power == 0.05).any()
+    assert faintest == pytest.approx((np.abs(spectrum[:, :20]) ** 2).max(axis=1).min(), rel=1e-12)
+
+
+def test_a_silent_frame_is_told():
+    spectrum = np.ones((3, 4), complex)
+    spectrum[1] = 0.0
+    assert relative_power(spectrum, 1e-14, np.empty((3, 4))) == 0.0
+
+
+def test_the_prominence_is_that_of_the_twin():
+    cepstrum = rng(5).normal(size=(4, 90)) - np.linspace(0, 9, 90)
+    expected = twin.mean_prominence(cepstrum, 11, 20, 70)
+    assert mean_prominence(cepstrum, 11, 20, 70) == pytest.approx(expected, rel=1e-12)

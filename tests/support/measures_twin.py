@@ -102,3 +102,23 @@ def first_two(wave, window, turn):
     """Magnitudes of the lines at ``turn`` and twice that, as their definition has it."""
     x = (wave - wave.mean()) * window
     return tuple(abs((x * np.exp(1j * h * turn * np.arange(len(x)))).sum()) for h in (1, 2))
+
+
+def windowed_frames(wave, window, hop):
+    frames = np.lib.stride_tricks.sliding_window_view(wave, len(window))[::hop]
+    return (frames - frames.mean(axis=1, keepdims=True)) * window
+
+
+def relative_power(spectrum, least, lines):
+    power = np.abs(spectrum[:, :lines]) ** 2
+    return np.maximum(power / power.max(axis=1, keepdims=True), least)
+
+
+def mean_prominence(cepstrum, fitted_from, first, last):
+    """Mean over frames of the peak's height above the line that a fit of degree one gives."""
+    places, heights = np.arange(cepstrum.shape[1]), []
+    for frame in cepstrum:
+        line = np.polyval(np.polyfit(places[fitted_from:], frame[fitted_from:], 1), places)
+        peak = first + int(frame[first:last].argmax())
+        heights.append(frame[peak] - line[peak])
+    return np.mean(heights)

@@ -1,4 +1,4 @@
-"""What each cycle of a wave holds: where it is largest, and when the glottis opens and closes in it.
+"""What each cycle of a wave holds: where it reaches a level, and when the glottis opens and closes in it.
 
 Cycle k is the samples [bounds[k], bounds[k+1]). The definitions are those of vfcore/measures/glottis.py and cycles.py;
 vectorised over samples they write and read a dozen arrays of the length of the wave, here they read it once.
@@ -14,25 +14,24 @@ OPEN_FRACTION, OPENS, PEAKS, CLOSES = range(4)
 
 
 @jit
-def where_largest(wave, bounds, places):
-    """Fill ``places`` (N,) with the sample of ``wave`` at which each cycle first reaches its largest value."""
+def first_reached(wave, bounds, levels, places):
+    """Fill ``places`` (N,) with the sample of ``wave`` at which each cycle first reaches its level of ``levels`` (N,),
+    or with its last sample.
+    """
     for k in range(places.size):
         at = bounds[k]
-        for i in range(bounds[k], bounds[k + 1]):
-            if wave[i] > wave[at]:
-                at = i
+        while at < bounds[k + 1] - 1 and wave[at] < levels[k]:
+            at += 1
         places[k] = at
 
 
 @jit
-def time_above(wave, bounds, fraction, shares):
-    """Fill ``shares`` (N,) with the part of each cycle whose samples lie above ``fraction`` of its largest."""
+def time_above(wave, bounds, levels, shares):
+    """Fill ``shares`` (N,) with the part of each cycle whose samples lie above its level of ``levels`` (N,)."""
     for k in range(shares.size):
-        cycle, largest, count = wave[bounds[k] : bounds[k + 1]], wave[bounds[k]], 0
+        cycle, level, count = wave[bounds[k] : bounds[k + 1]], levels[k], 0
         for value in cycle:
-            largest = max(largest, value)
-        for value in cycle:
-            count += value > fraction * largest
+            count += value > level
         shares[k] = count / cycle.size
 
 

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from vfcore.measures.cycles import Cycles, cut_cycles
-from vfcore.measures.flow import flow_slope
+from vfcore.measures.flow import extremes, flow_slope, mean_ml_s, steepest_fall
 from vfcore.measures.glottis import OpenPhases, open_phases
 from vfcore.measures.level import radiated_power_w, rms_pa
 from vfcore.measures.phonation import Phonation, judge_phonation
@@ -42,17 +42,45 @@ class Analysis:
     @cached_property
     def contact_cycles(self) -> Cycles:
         """Cycles from area peak to area peak, so that no contact is cut in two."""
-        return self.cycles.between(self._area_peaks)
+        return self.cycles.between(self.area_peaks)
 
     @cached_property
     def open_phases(self) -> OpenPhases:
-        return open_phases(self.signals.glottal_area_m2, self.cycles, self._area_peaks)
+        return open_phases(self.signals.glottal_area_m2, self.cycles, self.area_peaks)
 
     @cached_property
-    def _area_peaks(self) -> np.ndarray:
+    def area_peaks(self) -> np.ndarray:
+        """Sample of the largest area of each cycle; shape (N,)."""
         return self.cycles.where_largest(self.signals.glottal_area_m2)
 
-    @property
+    @cached_property
+    def contact_peaks(self) -> np.ndarray:
+        """Sample of the largest contact pressure of each of the contact cycles; shape (N − 1,) or less."""
+        return self.contact_cycles.where_largest(self.signals.contact_pressure_max_pa)
+
+    @cached_property
+    def largest_contact_m2(self) -> np.ndarray:
+        """Largest contact area of each of the contact cycles, m²."""
+        return self.contact_cycles.largest(self.signals.contact_area_m2)
+
+    @cached_property
+    def flow_extremes_m3_s(self) -> tuple[np.ndarray, np.ndarray]:
+        """Smallest and largest flow of each cycle, m³/s."""
+        return extremes(self.signals.glottal_flow_m3_s, self.cycles)
+
+    @cached_property
+    def flow_fall_m3_s2(self) -> np.ndarray:
+        """Steepest fall of the flow in each cycle, m³/s²."""
+        slope = flow_slope(self.signals.glottal_flow_m3_s, self.signals.sample_rate_hz, self.cycles)
+        return steepest_fall(slope, self.cycles)
+
+    @cached_property
+    def mean_flow_ml_s(self) -> float:
+        """Mean flow over whole cycles, or over the window where there are none, mL/s."""
+        wave = self.signals.glottal_flow_m3_s
+        return mean_ml_s(self.cycles.span(wave) if self.cycles else self.window(wave))
+
+    @cached_property
     def lip_rms_pa(self) -> float:
         """Root-mean-square of the pressure at the lips in the window, about its mean, Pa."""
         return rms_pa(self.window(self.sound.lip_pressure_pa))
@@ -67,8 +95,3 @@ class Analysis:
         """Power of a simple source that makes the far pressure in the window, W."""
         s = self.signals
         return radiated_power_w(self.far_rms_pa, s.far_distance_m, s.air_density_kg_m3, s.sound_speed_m_s)
-
-    @cached_property
-    def flow_slope_m3_s2(self) -> np.ndarray:
-        """Low-passed dQ/dt over the span of the cycles, m³/s²."""
-        return flow_slope(self.signals.glottal_flow_m3_s, self.signals.sample_rate_hz, self.cycles)

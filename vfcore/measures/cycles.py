@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vfcore.kernels.cycles import lowest_each, refined_each, spaced_minima, where_largest
+from vfcore.kernels.cycles import first_reached, lowest_each, refined_each, spaced_minima
 from vfcore.measures.phonation import Phonation
 
 # "Closed" means below this fraction of the cycle's peak area: closed in the plain sense, with room for rounding.
@@ -62,7 +62,7 @@ class Cycles:
     def where_largest(self, wave: np.ndarray) -> np.ndarray:
         """Sample of the full wave at which each cycle first reaches its largest value; shape (N,)."""
         places = np.empty(self.count, dtype=np.int64)
-        where_largest(plain(wave), self.bounds, places)
+        first_reached(plain(wave), self.bounds, self.largest(wave), places)
         return places
 
     def between(self, peaks: np.ndarray) -> "Cycles":
@@ -76,7 +76,8 @@ class Cycles:
         """Sample bounds of one whole pattern to show: the latest of those nearest the median length."""
         edges = self.bounds[:: self.per_pattern]
         lengths = np.diff(edges)
-        away = np.abs(lengths - np.median(lengths))
+        ordered = np.sort(lengths)
+        away = np.abs(2 * lengths - ordered[(len(ordered) - 1) // 2] - ordered[len(ordered) // 2])  # from the median
         k = len(away) - 1 - int(np.argmin(away[::-1]))
         return int(edges[k]), int(edges[k + 1])
 

@@ -25,14 +25,19 @@ def mean_ml_s(flow_m3_s: np.ndarray) -> float:
     return float(flow_m3_s.mean() * 1e6)
 
 
-def ac_ml_s(flow_m3_s: np.ndarray, cycles: Cycles) -> float:
+def extremes(flow_m3_s: np.ndarray, cycles: Cycles) -> tuple[np.ndarray, np.ndarray]:
+    """Smallest and largest flow of each cycle, m³/s; shape (N,) each."""
+    return cycles.smallest(flow_m3_s), cycles.largest(flow_m3_s)
+
+
+def ac_ml_s(smallest_m3_s: np.ndarray, largest_m3_s: np.ndarray) -> float:
     """Mean over cycles of largest minus smallest flow, mL/s."""
-    return float(_swing(flow_m3_s, cycles).mean() * 1e6)
+    return float((largest_m3_s - smallest_m3_s).mean() * 1e6)
 
 
-def min_ml_s(flow_m3_s: np.ndarray, cycles: Cycles) -> float:
+def min_ml_s(smallest_m3_s: np.ndarray) -> float:
     """Mean over cycles of the smallest flow, mL/s."""
-    return float(cycles.smallest(flow_m3_s).mean() * 1e6)
+    return float(smallest_m3_s.mean() * 1e6)
 
 
 def flow_slope(flow_m3_s: np.ndarray, sample_rate_hz: float, cycles: Cycles) -> np.ndarray:
@@ -48,20 +53,17 @@ def steepest_fall(slope_m3_s2: np.ndarray, cycles: Cycles) -> np.ndarray:
     return -np.minimum.reduceat(slope_m3_s2, cycles.offsets)
 
 
-def mfdr_l_s2(slope_m3_s2: np.ndarray, cycles: Cycles) -> float:
+def mfdr_l_s2(fall_m3_s2: np.ndarray) -> float:
     """Maximum flow declination rate: mean over cycles of the steepest fall, L/s²."""
-    return float(steepest_fall(slope_m3_s2, cycles).mean() * 1e3)
+    return float(fall_m3_s2.mean() * 1e3)
 
 
-def naq(flow_m3_s: np.ndarray, slope_m3_s2: np.ndarray, cycles: Cycles, sample_rate_hz: float) -> float | Missing:
+def naq(
+    smallest_m3_s: np.ndarray, largest_m3_s: np.ndarray, fall_m3_s2: np.ndarray, period_s: np.ndarray
+) -> float | Missing:
     """Normalised amplitude quotient (AC / |d_min|) / T, mean over the cycles whose flow falls (Alku et al. 2002)."""
-    fall = steepest_fall(slope_m3_s2, cycles)
-    falls = fall > 0.0
+    falls = fall_m3_s2 > 0.0
     if not falls.any():
         return Missing("The flow does not fall in any cycle.")
-    quotient = _swing(flow_m3_s, cycles)[falls] / fall[falls]
-    return float((quotient * sample_rate_hz / cycles.periods[falls]).mean())
-
-
-def _swing(flow_m3_s: np.ndarray, cycles: Cycles) -> np.ndarray:
-    return cycles.largest(flow_m3_s) - cycles.smallest(flow_m3_s)
+    quotient = (largest_m3_s - smallest_m3_s)[falls] / fall_m3_s2[falls]
+    return float((quotient / period_s[falls]).mean())

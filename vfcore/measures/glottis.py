@@ -67,9 +67,9 @@ def speed_quotient(phases: OpenPhases) -> float | Missing:
     return float((opening[both] / closing[both]).mean())
 
 
-def peak_area_mm2(area_m2: np.ndarray, cycles: Cycles) -> float:
-    """Mean over cycles of the largest area, mm²."""
-    return float(cycles.largest(area_m2).mean() * 1e6)
+def peak_area_mm2(area_m2: np.ndarray, largest_at: np.ndarray) -> float:
+    """Mean over cycles of the largest area, mm²; it is at the samples ``largest_at``."""
+    return float(area_m2[largest_at].mean(dtype=np.float64) * 1e6)
 
 
 def gap_area_mm2(area_m2: np.ndarray, cycles: Cycles) -> float:

@@ -4,6 +4,8 @@ from math import log10, pi
 
 import numpy as np
 
+from vfcore.kernels.level import rms_about_mean
+from vfcore.measures.cycles import plain
 from vfcore.measures.measure import Missing
 
 REFERENCE_PRESSURE_PA = 20e-6
@@ -11,7 +13,7 @@ REFERENCE_PRESSURE_PA = 20e-6
 
 def rms_pa(pressure_pa: np.ndarray) -> float:
     """Root-mean-square of ``pressure_pa``, shape (n,), about its mean, Pa."""
-    return float(np.std(pressure_pa, dtype=np.float64))
+    return rms_about_mean(plain(pressure_pa))
 
 
 def sound_pressure_level_db(rms: float) -> float | Missing:

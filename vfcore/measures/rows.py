@@ -37,13 +37,8 @@ def _fo_hz(a: Analysis) -> float:
     return float(a.signals.sample_rate_hz / period)
 
 
-def _mean_flow_ml_s(a: Analysis) -> float:
-    wave = a.signals.glottal_flow_m3_s
-    return flow.mean_ml_s(a.cycles.span(wave) if a.cycles else a.window(wave))
-
-
 def _efficiency(a: Analysis) -> float | Missing:
-    return level.efficiency(a.radiated_power_w, a.signals.subglottal_pressure_pa, _mean_flow_ml_s(a) * 1e-6)
+    return level.efficiency(a.radiated_power_w, a.signals.subglottal_pressure_pa, a.mean_flow_ml_s * 1e-6)
 
 
 ROWS = (
@@ -128,7 +123,7 @@ ROWS = (
         definition="Largest minimum glottal area of a cycle.",
         formula="max A_g,min, mean over cycles",
         source=PAPER,
-        needs=Needs.CYCLES, compute=lambda a: glottis.peak_area_mm2(a.signals.glottal_area_m2, a.cycles),
+        needs=Needs.CYCLES, compute=lambda a: glottis.peak_area_mm2(a.signals.glottal_area_m2, a.area_peaks),
     ),
     MeasureSpec(
         key="glottal_gap_area_mm2", symbol="A_gap", name="glottal gap area", unit="mm²", group=AREA_GROUP, signal=AREA,
@@ -145,7 +140,7 @@ ROWS = (
         formula="mean Q_g",
         source=HOLMBERG,
         normal_range=NormalRange(190.0, 190.0, MEN, HOLMBERG),
-        needs=Needs.NOTHING, compute=_mean_flow_ml_s,
+        needs=Needs.NOTHING, compute=lambda a: a.mean_flow_ml_s,
     ),
     MeasureSpec(
         key="ac_flow_ml_s", symbol="AC", name="AC flow", unit="mL/s", group=FLOW_GROUP, signal=FLOW, decimals=0,
@@ -153,7 +148,7 @@ ROWS = (
         formula="max Q_g − min Q_g, mean over cycles",
         source=HOLMBERG,
         normal_range=NormalRange(260.0, 260.0, MEN, HOLMBERG),
-        needs=Needs.CYCLES, compute=lambda a: flow.ac_ml_s(a.signals.glottal_flow_m3_s, a.cycles),
+        needs=Needs.CYCLES, compute=lambda a: flow.ac_ml_s(*a.flow_extremes_m3_s),
     ),
     MeasureSpec(
         key="min_flow_ml_s", symbol="DC", name="minimum flow", unit="mL/s", group=FLOW_GROUP, signal=FLOW, decimals=0,
@@ -161,7 +156,7 @@ ROWS = (
         "“DC flow” is used elsewhere for this and for the mean flow alike.",
         formula="min Q_g, mean over cycles",
         source=HOLMBERG,
-        needs=Needs.CYCLES, compute=lambda a: flow.min_ml_s(a.signals.glottal_flow_m3_s, a.cycles),
+        needs=Needs.CYCLES, compute=lambda a: flow.min_ml_s(a.flow_extremes_m3_s[0]),
     ),
     MeasureSpec(
         key="mfdr_l_s2", symbol="MFDR", name="maximum flow declination rate", unit="L/s²", group=FLOW_GROUP,
@@ -171,7 +166,7 @@ ROWS = (
         threshold=SLOPE,
         source=HOLMBERG,
         normal_range=NormalRange(280.0, 280.0, MEN, HOLMBERG),
-        needs=Needs.CYCLES, compute=lambda a: flow.mfdr_l_s2(a.flow_slope_m3_s2, a.cycles),
+        needs=Needs.CYCLES, compute=lambda a: flow.mfdr_l_s2(a.flow_fall_m3_s2),
     ),
     MeasureSpec(
         key="naq", symbol="NAQ", name="normalised amplitude quotient", unit="1", group=FLOW_GROUP, signal=FLOW,
@@ -183,7 +178,7 @@ ROWS = (
         source="Alku, Bäckström & Vilkman (2002)",
         needs=Needs.CYCLES,
         compute=lambda a: flow.naq(
-            a.signals.glottal_flow_m3_s, a.flow_slope_m3_s2, a.cycles, a.signals.sample_rate_hz
+            *a.flow_extremes_m3_s, a.flow_fall_m3_s2, a.cycles.periods / a.signals.sample_rate_hz
         ),
     ),
     MeasureSpec(
@@ -265,7 +260,7 @@ ROWS = (
         source=PAPER,
         normal_range=NormalRange(500.0, 5000.0, "canine hemilarynx, mid-fold", "Jiang & Titze (1994)"),
         needs=Needs.CYCLES,
-        compute=lambda a: contact.pressure_max_pa(a.signals.contact_pressure_max_pa, a.contact_cycles),
+        compute=lambda a: contact.pressure_max_pa(a.signals.contact_pressure_max_pa, a.contact_peaks),
     ),
     MeasureSpec(
         key="contact_location", symbol="x/L", name="location of the maximum contact pressure", unit="1",
@@ -274,9 +269,7 @@ ROWS = (
         formula="x/L at max p_col, mean over cycles with contact",
         source=PAPER,
         needs=Needs.CYCLES,
-        compute=lambda a: contact.location(
-            a.signals.contact_pressure_max_pa, a.signals.contact_location, a.contact_cycles
-        ),
+        compute=lambda a: contact.location(a.signals.contact_location, a.contact_peaks),
     ),
     MeasureSpec(
         key="contact_impulse_pa_s", symbol="J_col", name="contact impulse", unit="Pa·s", group=CONTACT_GROUP,
@@ -296,7 +289,7 @@ ROWS = (
         definition="Largest area of the medial surface in contact in a cycle.",
         formula="max A_col, mean over cycles",
         source="defined here",
-        needs=Needs.CYCLES, compute=lambda a: contact.area_mm2(a.signals.contact_area_m2, a.contact_cycles),
+        needs=Needs.CYCLES, compute=lambda a: contact.area_mm2(a.largest_contact_m2),
     ),
     MeasureSpec(
         key="contact_area_fraction", symbol="A_col / Lb", name="largest share of the medial surface in contact",
@@ -305,7 +298,7 @@ ROWS = (
         formula="max A_col / (L b), mean over cycles",
         source="defined here",
         needs=Needs.CYCLES,
-        compute=lambda a: contact.area_fraction(a.signals.contact_area_m2, a.contact_cycles, a.signals.medial_area_m2),
+        compute=lambda a: contact.area_fraction(a.largest_contact_m2, a.signals.medial_area_m2),
     ),
     MeasureSpec(
         key="contact_quotient", symbol="CQ_contact", name="contact quotient", unit="1", group=CONTACT_GROUP,
@@ -315,7 +308,10 @@ ROWS = (
         formula="T(A_col > 0.25 max A_col) / T, mean over cycles",
         threshold=f"{contact.CONTACT_FRACTION:.0%} of the cycle's largest contact area",
         source="Orlikoff (1991); why it is not CQ: Herbst et al. (2017)",
-        needs=Needs.CYCLES, compute=lambda a: contact.contact_quotient(a.signals.contact_area_m2, a.contact_cycles),
+        needs=Needs.CYCLES,
+        compute=lambda a: contact.contact_quotient(
+            a.signals.contact_area_m2, a.largest_contact_m2, a.contact_cycles
+        ),
     ),
     MeasureSpec(
         key="strain", symbol="ε̄", name="strain of the folds", unit="1", group=POSTURE_GROUP, signal=POSTURE, decimals=3,

@@ -13,6 +13,7 @@ from math import isqrt, log10
 import numpy as np
 from scipy import fft
 
+from vfcore.kernels.cepstrum import mean_prominence, relative_power, windowed_frames
 from vfcore.kernels.harmonics import first_two
 from vfcore.measures.cycles import plain
 from vfcore.measures.measure import Missing
@@ -44,17 +45,20 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     length, hop = round(CPP_FRAME_S * sample_rate_hz), round(CPP_HOP_S * sample_rate_hz)
     if len(wave) < length:
         return Missing(f"The measured half of the run is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
-    frames = np.lib.stride_tricks.sliding_window_view(wave, length)[::hop]
-    spectrum = fft.rfft((frames - frames.mean(axis=1, keepdims=True)) * _window(np.hamming, length), axis=1)
+    frames = np.empty((1 + (len(wave) - length) // hop, length))
+    windowed_frames(plain(wave), _window(np.hamming, length), hop, frames)
+    spectrum = fft.rfft(frames, axis=1, overwrite_x=True)
     lines = min(int(CPP_BAND_HZ * length / sample_rate_hz) + 1, spectrum.shape[1])
-    power = spectrum.real[:, :lines] ** 2 + spectrum.imag[:, :lines] ** 2
-    strongest = power.max(axis=1, keepdims=True)
-    if strongest.min() == 0.0:
+    power = np.empty((len(frames), lines))
+    if relative_power(spectrum, 10.0 ** (CPP_FLOOR_DB / 10.0), power) == 0.0:
         return Missing("There is no sound in part of the measured half of the run.")
-    level = 10.0 * np.log10(np.maximum(power / strongest, 10.0 ** (CPP_FLOOR_DB / 10.0)))
-    cepstrum = 20.0 * np.log10(np.abs(fft.irfft(level, 2 * (lines - 1), axis=1)[:, :lines]) + np.finfo(float).tiny)
+    level = 10.0 * np.log10(power, out=power)
+    cepstrum = np.abs(fft.irfft(level, 2 * (lines - 1), axis=1)[:, :lines])
+    cepstrum = 20.0 * np.log10(cepstrum + np.finfo(float).tiny, out=cepstrum)
     quefrency = np.arange(lines) * (length / sample_rate_hz) / (2 * (lines - 1))
-    return float(_above_line(cepstrum, quefrency).mean())
+    fitted_from, first = np.searchsorted(quefrency, (CPP_LINE_FROM_S, 1.0 / CPP_HIGHEST_HZ))
+    last = np.searchsorted(quefrency, 1.0 / CPP_LOWEST_HZ, side="right")
+    return float(mean_prominence(cepstrum, fitted_from, first, last))
 
 
 @lru_cache(maxsize=8)
@@ -62,17 +66,3 @@ def _window(shape: Callable[[int], np.ndarray], n: int) -> np.ndarray:
     weights = shape(n)
     weights.setflags(write=False)
     return weights
-
-
-def _above_line(cepstrum: np.ndarray, quefrency: np.ndarray) -> np.ndarray:
-    """Height of each frame's peak, sought among voice rates, above the line fitted to that frame."""
-    fitted = slice(int(np.searchsorted(quefrency, CPP_LINE_FROM_S)), None)
-    x = quefrency[fitted] - quefrency[fitted].mean()
-    y = cepstrum[:, fitted]
-    mean = y.mean(axis=1)
-    slope = np.einsum("fq,q->f", y, x) / (x * x).sum()
-    first = int(np.searchsorted(quefrency, 1.0 / CPP_HIGHEST_HZ))
-    last = int(np.searchsorted(quefrency, 1.0 / CPP_LOWEST_HZ, side="right"))
-    peak = first + cepstrum[:, first:last].argmax(axis=1)
-    line = mean + slope * (quefrency[peak] - quefrency[fitted].mean())
-    return cepstrum[np.arange(len(peak)), peak] - line
