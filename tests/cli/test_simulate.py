@@ -6,6 +6,7 @@ import os
 import pty
 import subprocess
 import sys
+import threading
 import time
 import wave
 from pathlib import Path
@@ -101,23 +102,30 @@ def test_the_files_say_what_the_json_says(finished):
             assert in_netcdf[key] == float(in_csv[key]) == measure["value"]
 
 
+def read_all(terminal: int, seen: bytearray) -> None:
+    """Read until the other end is closed."""
+    while True:
+        try:
+            block = os.read(terminal, 65536)
+        except OSError:  # Linux: closed
+            return
+        if not block:
+            return
+        seen += block
+
+
 def test_a_terminal_sees_compiling_and_the_run():
     reader, terminal = pty.openpty()
     environment = os.environ | {"TERM": "xterm", "COLUMNS": "100"}
     process = subprocess.Popen(
         [VOCALIS, "simulate", "--duration", "5"], stdout=subprocess.PIPE, stderr=terminal, env=environment, text=True
     )
-    table, _ = process.communicate(timeout=120)
     os.close(terminal)
-    seen = b""
-    while True:
-        try:
-            block = os.read(reader, 65536)
-        except OSError:  # Linux: the other end is closed
-            break
-        if not block:
-            break
-        seen += block
+    seen = bytearray()
+    watching = threading.Thread(target=read_all, args=(reader, seen))  # a terminal that nobody reads stops the writer
+    watching.start()
+    table, _ = process.communicate(timeout=120)
+    watching.join()
     os.close(reader)
     assert process.returncode == 0
     assert b"compiling kernels" in seen and b"simulating 5 s" in seen

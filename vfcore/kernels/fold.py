@@ -80,16 +80,8 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     HELD = END - W if many else END  # the posterior end: of many folds a group of its own, in which nothing moves
     PER_D, A_1, A_2 = L.line("per_D"), L.line("a"), L.line("c")
 
-    @inlined
-    def half_gap_at(buf, o):
-        return half_gap(load(buf, G + o, W), load(buf, WM + o, W))
-
-    @inlined
-    def keep(buf, to, r, smallest, integral):
-        store(buf, R + to, square(r))
-        store(buf, M + to, smallest)
-        store(buf, I + to, integral)
-
+    # Only constants and compiled functions of other modules in here: a function made in here would be written into the
+    # cache's key, differently in each process, and none would find what another has compiled.
     @inlined
     def advance(buf, par, P_s_of, record_every, record, air=None):
         dt, dy, alpha_s = each(par, 0, P, W), each(par, 1, P, W), each(par, 2, P, W)
@@ -123,17 +115,22 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                         for k in range(0, ny, 2):  # rows in pairs
                             j = ny - 1 - k
                             o, to = j * S + i, here + j * W
-                            half = half_gap_at(buf, o)
-                            half_next = half_gap_at(buf, o - S) if j > 0 else far
+                            half, half_next = half_gap(load(buf, G + o, W), load(buf, WM + o, W)), far
+                            if j > 0:
+                                half_next = half_gap(load(buf, G + o - S, W), load(buf, WM + o - S, W))
                             r, r_next = reciprocals(half, half_next)
                             smallest, largest_half = minimum(half, smallest), maximum(half, largest_half)
                             if k > 0:
                                 integral = integral + viscous_segment(cube_below, cube(r))
-                            keep(buf, to, r, smallest, integral)
+                            store(buf, R + to, square(r))
+                            store(buf, M + to, smallest)
+                            store(buf, I + to, integral)
                             if j > 0:
                                 smallest, largest_half = minimum(half_next, smallest), maximum(half_next, largest_half)
                                 integral = integral + viscous_segment(cube(r), cube(r_next))
-                                keep(buf, to - W, r_next, smallest, integral)
+                                store(buf, R + to - W, square(r_next))
+                                store(buf, M + to - W, smallest)
+                                store(buf, I + to - W, integral)
                             cube_below = cube(r_next)
                         store(buf, MOST + g * W, largest_half)
 
