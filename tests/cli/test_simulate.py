@@ -122,7 +122,8 @@ def test_a_terminal_sees_compiling_and_the_run():
     )
     os.close(terminal)
     seen = bytearray()
-    watching = threading.Thread(target=read_all, args=(reader, seen))  # a terminal that nobody reads stops the writer
+    # A terminal that nobody reads stops the writer.
+    watching = threading.Thread(target=read_all, args=(reader, seen), daemon=True)
     watching.start()
     table, _ = process.communicate(timeout=120)
     watching.join()

@@ -142,16 +142,15 @@ def test_frames_of_the_cepstrum_are_those_of_the_twin():
 def test_the_power_is_relative_to_each_frame_and_has_a_floor():
     spectrum = np.fft.rfft(rng(4).normal(size=(3, 60)) * [[1.0], [1e3], [1e-3]], axis=1)
     power = np.empty((3, 20))
-    faintest = relative_power(spectrum, 0.05, power)
+    assert relative_power(spectrum, 0.05, power)
     np.testing.assert_allclose(power, twin.relative_power(spectrum, 0.05, 20), rtol=1e-12)
     assert (power == 0.05).any()
-    assert faintest == pytest.approx((np.abs(spectrum[:, :20]) ** 2).max(axis=1).min(), rel=1e-12)
 
 
 def test_a_silent_frame_is_told():
     spectrum = np.ones((3, 4), complex)
     spectrum[1] = 0.0
-    assert relative_power(spectrum, 1e-14, np.empty((3, 4))) == 0.0
+    assert not relative_power(spectrum, 1e-14, np.empty((3, 4)))
 
 
 def test_the_prominence_is_that_of_the_twin():

@@ -24,22 +24,20 @@ def windowed_frames(wave, window, hop, frames):
 def relative_power(spectrum, least, power):
     """Fill ``power`` (count, lines) with |``spectrum``|² over the largest of each frame, but at least ``least``.
 
-    ``spectrum`` (count, lines or more). Returns the smallest of the largest: 0 means that a frame is silent.
+    ``spectrum`` (count, lines or more). False, and ``power`` means nothing, where a frame is silent.
     """
     count, lines = power.shape
-    faintest = 0.0
     for f in range(count):
         strongest = 0.0
         for k in range(lines):
             line = spectrum[f, k]
             power[f, k] = line.real * line.real + line.imag * line.imag
             strongest = max(strongest, power[f, k])
-        faintest = strongest if f == 0 else min(faintest, strongest)
         if strongest == 0.0:
-            return 0.0
+            return False
         for k in range(lines):
             power[f, k] = max(power[f, k] / strongest, least)
-    return faintest
+    return True
 
 
 @jit

@@ -43,7 +43,7 @@ def half_gap(G, w):
 
 @jit
 def gap(G, w):
-    """Local gap height d_g, m."""
+    """Local gap height d_g, m; SMALLEST_GAP_M where the fold meets the medial plane."""
     return 2.0 * half_gap(G, w)
 
 
@@ -67,7 +67,10 @@ def separation_gap(d_min, d_max, alpha_s):
 
 @jit
 def attached(running_min, running_min_upstream, d_sep, d_min):
-    """True where the flow is attached (open slice) or the node is on the lung side (closed slice)."""
+    """True where the flow is attached (open slice) or the node is on the lung side (closed slice).
+
+    The running minima and ``d_sep`` may be halves, all three; ``d_min`` is the whole gap.
+    """
     return where(is_open(d_min), running_min, running_min_upstream) > d_sep
 
 

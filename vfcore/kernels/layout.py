@@ -105,8 +105,8 @@ LINES = (
     "w_b", "v_b", "v_star_b", "beam_force", "beam_load", "inverse_density", "width", "column", "per_D", "a", "c",
     "beyond",
 )  # fmt: skip
-# Of the columns at hand: 1/d_g²; min d_g from the inlet, then in its place whether the flow is attached; the viscous
-# integral. In the rows of the last: max d_g, then in its place the flux per width; min d_g.
+# Of the columns at hand: 1/d_g²; half of min d_g from the inlet, then in its place whether the flow is attached; the
+# viscous integral. In the rows of the last: half of max d_g, then in its place the flux per width; min d_g.
 SCRATCH = ("square", "running_min", "viscous", "slice")
 
 # Scalars of the step, in this order in the parameter array.

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from vfcore.measures.cycles import Cycles, cut_cycles
-from vfcore.measures.flow import extremes, flow_slope, mean_ml_s, steepest_fall
+from vfcore.measures.flow import flow_slope, mean_ml_s, steepest_fall
 from vfcore.measures.glottis import OpenPhases, open_phases
 from vfcore.measures.level import radiated_power_w, rms_pa
 from vfcore.measures.phonation import Phonation, judge_phonation
@@ -64,9 +64,14 @@ class Analysis:
         return self.contact_cycles.largest(self.signals.contact_area_m2)
 
     @cached_property
-    def flow_extremes_m3_s(self) -> tuple[np.ndarray, np.ndarray]:
-        """Smallest and largest flow of each cycle, m³/s."""
-        return extremes(self.signals.glottal_flow_m3_s, self.cycles)
+    def smallest_flow_m3_s(self) -> np.ndarray:
+        """Smallest flow of each cycle, m³/s."""
+        return self.cycles.smallest(self.signals.glottal_flow_m3_s)
+
+    @cached_property
+    def flow_swing_m3_s(self) -> np.ndarray:
+        """Largest minus smallest flow of each cycle, m³/s."""
+        return self.cycles.largest(self.signals.glottal_flow_m3_s) - self.smallest_flow_m3_s
 
     @cached_property
     def flow_fall_m3_s2(self) -> np.ndarray:

@@ -61,8 +61,8 @@ class Cycles:
 
     def where_largest(self, wave: np.ndarray) -> np.ndarray:
         """Sample of the full wave at which each cycle first reaches its largest value; shape (N,)."""
-        places = np.empty(self.count, dtype=np.int64)
-        first_reached(plain(wave), self.bounds, self.largest(wave), places)
+        wave, places = plain(wave), np.empty(self.count, dtype=np.int64)
+        first_reached(wave, self.bounds, self.largest(wave), places)
         return places
 
     def between(self, peaks: np.ndarray) -> "Cycles":
@@ -76,8 +76,7 @@ class Cycles:
         """Sample bounds of one whole pattern to show: the latest of those nearest the median length."""
         edges = self.bounds[:: self.per_pattern]
         lengths = np.diff(edges)
-        ordered = np.sort(lengths)
-        away = np.abs(2 * lengths - ordered[(len(ordered) - 1) // 2] - ordered[len(ordered) // 2])  # from the median
+        away = np.abs(lengths - np.median(lengths))
         k = len(away) - 1 - int(np.argmin(away[::-1]))
         return int(edges[k]), int(edges[k + 1])
 

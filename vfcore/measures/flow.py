@@ -25,14 +25,9 @@ def mean_ml_s(flow_m3_s: np.ndarray) -> float:
     return float(flow_m3_s.mean() * 1e6)
 
 
-def extremes(flow_m3_s: np.ndarray, cycles: Cycles) -> tuple[np.ndarray, np.ndarray]:
-    """Smallest and largest flow of each cycle, m³/s; shape (N,) each."""
-    return cycles.smallest(flow_m3_s), cycles.largest(flow_m3_s)
-
-
-def ac_ml_s(smallest_m3_s: np.ndarray, largest_m3_s: np.ndarray) -> float:
+def ac_ml_s(swing_m3_s: np.ndarray) -> float:
     """Mean over cycles of largest minus smallest flow, mL/s."""
-    return float((largest_m3_s - smallest_m3_s).mean() * 1e6)
+    return float(swing_m3_s.mean() * 1e6)
 
 
 def min_ml_s(smallest_m3_s: np.ndarray) -> float:
@@ -58,12 +53,9 @@ def mfdr_l_s2(fall_m3_s2: np.ndarray) -> float:
     return float(fall_m3_s2.mean() * 1e3)
 
 
-def naq(
-    smallest_m3_s: np.ndarray, largest_m3_s: np.ndarray, fall_m3_s2: np.ndarray, period_s: np.ndarray
-) -> float | Missing:
+def naq(swing_m3_s: np.ndarray, fall_m3_s2: np.ndarray, period_s: np.ndarray) -> float | Missing:
     """Normalised amplitude quotient (AC / |d_min|) / T, mean over the cycles whose flow falls (Alku et al. 2002)."""
     falls = fall_m3_s2 > 0.0
     if not falls.any():
         return Missing("The flow does not fall in any cycle.")
-    quotient = (largest_m3_s - smallest_m3_s)[falls] / fall_m3_s2[falls]
-    return float((quotient / period_s[falls]).mean())
+    return float((swing_m3_s[falls] / fall_m3_s2[falls] / period_s[falls]).mean())

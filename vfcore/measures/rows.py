@@ -148,7 +148,7 @@ ROWS = (
         formula="max Q_g − min Q_g, mean over cycles",
         source=HOLMBERG,
         normal_range=NormalRange(260.0, 260.0, MEN, HOLMBERG),
-        needs=Needs.CYCLES, compute=lambda a: flow.ac_ml_s(*a.flow_extremes_m3_s),
+        needs=Needs.CYCLES, compute=lambda a: flow.ac_ml_s(a.flow_swing_m3_s),
     ),
     MeasureSpec(
         key="min_flow_ml_s", symbol="DC", name="minimum flow", unit="mL/s", group=FLOW_GROUP, signal=FLOW, decimals=0,
@@ -156,7 +156,7 @@ ROWS = (
         "“DC flow” is used elsewhere for this and for the mean flow alike.",
         formula="min Q_g, mean over cycles",
         source=HOLMBERG,
-        needs=Needs.CYCLES, compute=lambda a: flow.min_ml_s(a.flow_extremes_m3_s[0]),
+        needs=Needs.CYCLES, compute=lambda a: flow.min_ml_s(a.smallest_flow_m3_s),
     ),
     MeasureSpec(
         key="mfdr_l_s2", symbol="MFDR", name="maximum flow declination rate", unit="L/s²", group=FLOW_GROUP,
@@ -178,7 +178,7 @@ ROWS = (
         source="Alku, Bäckström & Vilkman (2002)",
         needs=Needs.CYCLES,
         compute=lambda a: flow.naq(
-            *a.flow_extremes_m3_s, a.flow_fall_m3_s2, a.cycles.periods / a.signals.sample_rate_hz
+            a.flow_swing_m3_s, a.flow_fall_m3_s2, a.cycles.periods / a.signals.sample_rate_hz
         ),
     ),
     MeasureSpec(

@@ -50,7 +50,7 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     spectrum = fft.rfft(frames, axis=1, overwrite_x=True)
     lines = min(int(CPP_BAND_HZ * length / sample_rate_hz) + 1, spectrum.shape[1])
     power = np.empty((len(frames), lines))
-    if relative_power(spectrum, 10.0 ** (CPP_FLOOR_DB / 10.0), power) == 0.0:
+    if not relative_power(spectrum, 10.0 ** (CPP_FLOOR_DB / 10.0), power):
         return Missing("There is no sound in part of the measured half of the run.")
     level = 10.0 * np.log10(power, out=power)
     cepstrum = np.abs(fft.irfft(level, 2 * (lines - 1), axis=1)[:, :lines])
