@@ -61,7 +61,7 @@ def _slice_pressure(w, G, i, k, p, d):
         integral += viscous_segment(cube(1.0 / d[j + 1]), cube(1.0 / d[j]))
     six_mu_a_dy = 0.5 * k.twelve_mu_a * k.dy
     Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
-    q = slice_flux(k.P_s, d_min, d_sep, Bd, flux_root(k.P_s, Bd, k.half_rho_a))
+    q = slice_flux(k.P_s, d_min, d_sep, 1.0 / (Bd + flux_root(k.P_s, Bd, k.half_rho_a)))
     integral = 0.0
     for j in range(ny - 1, -1, -1):
         on_the_lung_side = j > j_sep or (not is_open(d_min) and j == j_sep)
@@ -85,7 +85,7 @@ def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, reco
                 continue
             to_beam = 0.0
             for j in range(ny):
-                traction = coupling(w[j, i], v[j, i], w_b[i], v_b[i], K_coup[j], k.C_coup)
+                traction = coupling(w[j, i], v[j, i], w_b[i], k.C_coup * v_b[i], K_coup[j], k.C_coup)
                 to_beam += traction * (0.5 if j == 0 or j == ny - 1 else 1.0)
                 shear = 0.0
                 for other in (j - 1, j + 1):

@@ -1,16 +1,37 @@
-"""The fast step hides no physics: 300 random postures against the plain loop at the paper's step."""
+"""The fast step hides no physics: random postures against the plain loop at the paper's step."""
 
 import numpy as np
 import pytest
 
+import vfcore
 from tests.support.equivalence import BOUNDS, SAME_STATE, compare, report, survey
-from vfcore.params import Simulation
+from vfcore.params import DEFAULT_STEP_S, Activation, Run, Simulation
 
 
 def test_the_modal_voice_is_that_of_the_papers_step():
     found = compare(Simulation())
     assert found.states == ("periodic", "periodic")
     assert all(deviation <= bound for deviation, (_, bound, _) in zip(found.deviations, BOUNDS, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("ta", "ct", "lca", "ia", "pressure_pa"),
+    [(0.4839, 0.6747, 0.7928, 0.0516, 1072.6), (0.7202, 0.3945, 0.2878, 0.9629, 896.0)],
+)
+def test_a_voice_whose_period_is_a_whole_number_of_steps_flows_as_at_a_finer_step(ta, ct, lca, ia, pressure_pa):
+    """193 and 256 steps: it locks to them, and closes at the same part of a step in every cycle."""
+    flows = []
+    for step_s in (DEFAULT_STEP_S, DEFAULT_STEP_S / 4):
+        request = Simulation(
+            activation=Activation(ta=ta, ct=ct, lca=lca, ia=ia, pca=0.0), subglottal_pressure_pa=pressure_pa,
+            run=Run(time_step_s=step_s),
+        )  # fmt: skip
+        report = vfcore.simulate(request).report
+        assert report.state == "periodic"
+        steps = 1 / (report.measures["fo_hz"].value * DEFAULT_STEP_S)
+        assert abs(steps - round(steps)) < 0.05
+        flows.append(report.measures["mean_flow_ml_s"].value)
+    assert flows[0] == pytest.approx(flows[1], rel=6e-4)
 
 
 @pytest.mark.slow
@@ -21,4 +42,4 @@ def test_random_voices_are_those_of_the_papers_step():
     periodic = np.array([one.deviations for one in same if one.states[0] == "periodic"])
     assert len(periodic) > 100
     for k, (key, bound, _) in enumerate(BOUNDS):
-        assert np.nanpercentile(periodic[:, k], 90) <= bound, f"{key}: {report(found)}"
+        assert np.nanmax(periodic[:, k]) <= bound, f"{key}: {report(found)}"

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from tests.support.fold_harness import product_and_twin
 from vfcore.assemble import membrane
+from vfcore.kernels.flow import share_held, share_shut
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import RECORD
 from vfcore.kernels.surface import surface_pressures
@@ -139,3 +140,17 @@ def test_separation_at_the_ratio_asked_for(gaps, alpha_s):
     p = pressures(gaps, alpha_s=alpha_s)
     assert (p[: inner[-1] + 1] == 0).all()
     assert (p[inner[-1] + 1 :] > 0).all()
+
+
+@given(first=st.floats(-2.0, 2.0), behind=st.floats(0.0, 2.0), speed=st.sampled_from([-1.0, 1.0]))
+@example(first=-0.2, behind=0.1, speed=1.0)
+@settings(max_examples=40, deadline=None)
+def test_what_a_node_holds_is_the_mean_over_the_step_in_which_a_slice_closes_there_and_nearer_to_the_inlet(
+    first, behind, speed
+):
+    """All rows move by Δ in the step; the folds meet in row 1 at half gap ``first`` Δ, in row 3 ``behind`` Δ later."""
+    change, instants = 1e-5, (np.arange(400) + 0.5) / 400 - 0.5
+    half_gaps = np.array([1e-3, first * change, 1e-3, (first + behind) * change, 1e-3, 1e-3])
+    through = np.mean([pressures(2 * (half_gaps + speed * change * at)) for at in instants], axis=0)
+    shut = share_shut(half_gaps[1], 1 / change)
+    assert P_S * share_held(half_gaps[3], 1 / change, shut) == pytest.approx(through[1], abs=P_S / 200)

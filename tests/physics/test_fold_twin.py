@@ -249,7 +249,8 @@ def modal_measures(dt, scheme):
 def test_the_modal_case_has_the_frequency_closure_and_flow_of_two_earlier_prototypes(dt, scheme):
     f_o, closed_quotient, mean_flow = modal_measures(dt, scheme)
     assert f_o == pytest.approx(149.6, abs=0.1)
-    assert closed_quotient == pytest.approx(0.506, abs=0.001)
+    half_a_sample = 0.5 * dt * f_o  # closed samples are counted, and a voice may open at the same part of a step always
+    assert closed_quotient == pytest.approx(0.506, abs=max(0.001, half_a_sample))
     assert mean_flow == pytest.approx(1.29e-3, abs=0.005e-3)
 
 

@@ -18,8 +18,8 @@ from vocalis_paper.run_score import definitions_hash
 from vocalis_paper.study import changes
 
 #: What the variant "paper" has reached; a claim may get better, not worse, without a word here.
-PASSED = {"S1", "S2", "S5", "S6", *(f"M{k}" for k in range(1, 10)), "A2", "A3", "A4", "A5", "A6", "T1"}
-HELD = {"S3", "S4", "A1", "A7", "A8", "P1", "P2", "P4"}
+PASSED = {"S1", "S2", "S5", "S6", *(f"M{k}" for k in range(1, 10)), "A2", "A3", "A4", "A5", "A6", "P1", "T1"}
+HELD = {"S3", "S4", "A1", "A7", "A8", "P2", "P4"}
 MANY_RUNS = {key for key, claim in CLAIMS.items() if {CASES[n].kind for n in claim.needs} & {"map", "sweep"}}
 #: Wall time is that of the machine.
 QUICK = {key: CLAIMS[key] for key in CLAIMS if key not in MANY_RUNS and key != "T1"}
@@ -108,8 +108,8 @@ def test_no_open_choice_lets_more_claims_hold_than_the_default():
         assert row["score"]["fail"] >= default["score"]["fail"], row["choice"]
     same = (
         "α in the bending stiffness 1/(2 ratio + 1)",
-        "θ_0 0.239 rad",
-        "window last second of 2 s",
+        "θ_0 0.248 rad",
+        "time step the paper's",
         "level at 30 cm",
         "vowel i",
         "vowel u",

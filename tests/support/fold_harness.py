@@ -47,6 +47,7 @@ def put_state(march: March, state: State) -> None:
         membrane(march.buffer, march.fold, name)[:, inner] = value.T
     for name, value in (("phi", state.phi), ("vphi", state.v_phi), ("vphi_star", state.v_phi)):
         membrane(march.buffer, march.fold, name)[:-1, inner] = value.T
+    beam(march.buffer, march.fold, "half_min")[:] = 0.0
     for name, value in (("w_b", state.w_b), ("v_b", state.v_b), ("v_star_b", state.v_b)):
         beam(march.buffer, march.fold, name)[inner] = value
 

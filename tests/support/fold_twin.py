@@ -18,6 +18,7 @@ from scipy.linalg import eigh
 
 from tests.support.coefficient_twin import coefficients
 from vfcore.constants import FoldConstants
+from vfcore.kernels.flow import STILL_M
 
 
 class State(NamedTuple):
@@ -195,6 +196,22 @@ class FoldTwin:
         along_x[[0, -1]] /= 2
         return Flow(p_aero, gap, flow_per_width, d_min, j_sep, along_x @ d_min, along_x @ flow_per_width)
 
+    def mean_pressure(self, w_m, P_s: float, room_before, dt: float):
+        """p_aero (nx, ny), Pa, averaged over half a step before and after, as slices close and open within it.
+
+        ``room_before`` (nx,): the smallest of medial − w of each slice one step before; all of the slice is taken to
+        move as fast as that did since then. A node from the separation on feels P_s while the slice is shut there or
+        further on, and not in a row nearer to the inlet.
+        """
+        air, room = self.flow(w_m, P_s), self.medial - self.whole(w_m)
+        to_here = np.minimum.accumulate(room[:, ::-1], axis=1)[:, ::-1]  # smallest from the inlet on
+        pushed = P_s * dt**2 / self.k.rho_s  # by the pressure that comes and goes, in one step
+        moved = np.abs(room.min(axis=1) - room_before) + pushed + STILL_M
+        shut = np.clip(0.5 - to_here / moved[:, None], 0.0, 1.0)
+        shut_nearer = np.pad(shut, ((0, 0), (0, 1)))[:, 1:]
+        attached = np.arange(self.ny) > air.j_sep[:, None]
+        return np.where(attached, air.p_aero, np.maximum(shut[:, :1] - shut_nearer, 0.0) * P_s)
+
     def shear_force(self, state: State):
         """Shear force on the membrane, N/m², and the angle's acceleration, rad/s² (Kelvin–Voigt: no angle)."""
         c, k = self.constants, self.k
@@ -208,14 +225,19 @@ class FoldTwin:
             return force, np.zeros_like(state.phi)
         return force, (c.G_m_pa * gamma + c.eta_m_pa_s * gamma_dot) / k.J_m
 
-    def acceleration(self, state: State, P_s: float, contact: bool = True):
-        """Accelerations (a_m, a_b, a_phi) of the three unknowns, shapes of the state, m/s² and rad/s²."""
+    def acceleration(self, state: State, P_s: float, contact: bool = True, room_before=None, dt: float = 0.0):
+        """Accelerations (a_m, a_b, a_phi) of the three unknowns, shapes of the state, m/s² and rad/s².
+
+        ``room_before`` (nx,): with it the air pressure is ``mean_pressure`` over ``dt``, s.
+        """
         c, k = self.constants, self.k
         w = self.whole(state.w_m)
         tension = k.T_m_tilde * (w[:-2] - 2 * w[1:-1] + w[2:]) / self.dx**2
         shear, a_phi = self.shear_force(state)
         coupling = self.K_coup * (state.w_m - state.w_b[:, None]) + c.C_coup_pa_s_m * (state.v_m - state.v_b[:, None])
-        load = tension + shear - coupling - self.flow(state.w_m, P_s).p_aero[1:-1]
+        averaged = room_before is not None
+        p_aero = self.mean_pressure(state.w_m, P_s, room_before, dt) if averaged else self.flow(state.w_m, P_s).p_aero
+        load = tension + shear - coupling - p_aero[1:-1]
         if contact:
             load = load - self.contact_pressure(state.w_m, state.v_m)[1:-1]
 
@@ -232,7 +254,8 @@ class FoldTwin:
         ``"euler"``: semi-implicit Euler, every force at the current displacement and velocity.
         ``"leapfrog"``: velocities half a step behind (v given is that of t - dt/2); the beam's
         tension, bending and end moments by the trapezoidal rule; velocity-dependent forces at
-        v + (v - v of the step before)/2. The contact pressure recorded is the one applied.
+        v + (v - v of the step before)/2; the air pressure of slices that close or open averaged over the step.
+        The contact pressure recorded is the one applied.
         """
         if scheme == "leapfrog":
             beam_filter = np.linalg.inv(np.eye(self.n) - dt**2 / 4 * self.beam_operator)
@@ -243,7 +266,7 @@ class FoldTwin:
         pressure = P_s if callable(P_s) else (lambda t: P_s)
         area, flow, peak = (np.empty(steps) for _ in range(3))
         peak_at = np.full((steps, 2), -1)
-        states, before = [], state
+        states, before, room_before = [], state, np.zeros(self.nx)
         for step in range(steps):
             if keep_every and step % keep_every == 0:
                 states.append(state)
@@ -255,7 +278,9 @@ class FoldTwin:
                     v_phi=state.v_phi + (state.v_phi - before.v_phi) / 2,
                 )
             P_now = pressure(step * dt)
-            a_m, a_b, a_phi = self.acceleration(now, P_now)
+            averaged = {"room_before": room_before, "dt": dt} if scheme == "leapfrog" else {}
+            a_m, a_b, a_phi = self.acceleration(now, P_now, **averaged)
+            room_before = (self.medial - self.whole(now.w_m)).min(axis=1)
             a_b = beam_filter @ a_b
             v_m, v_b, v_phi = state.v_m + dt * a_m, state.v_b + dt * a_b, state.v_phi + dt * a_phi
 

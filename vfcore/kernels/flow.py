@@ -23,6 +23,19 @@ has fallen to d_sep; a node is attached when the smallest gap from the inlet up 
 running minimum) exceeds d_sep. In a closed slice (d_min = 0) nothing flows; nodes from the
 inlet down to and including the first contact carry P_s  [eq. AerodynamicPressureClosed].
 
+So the node of the first contact jumps from 0 to P_s when its slice closes, and back to 0 when the folds meet nearer to
+the inlet. A force of the step acts from half a step before its time t_n to half a step after; of a pressure that jumps
+in between only the share counts for which it is there. With g_j the smallest of G − w from the inlet down to row j
+(half a gap; negative in contact), which changes by Δ a step, the folds meet somewhere between inlet and j during
+
+    s_j = ½ − g_j/Δ,  within 0 and 1,    p_j = (s_0 − s_{j+1}) P_s,  at least 0,  where the flow is not attached
+
+of the step; s_{j+1} = 0 at the inlet. Attached nodes need no share: as the slice closes, q and with it their loss of
+pressure go to 0 by themselves. For Δ the step takes how much g_0, the smallest of the slice, has changed in the step
+before, and what the pressure that comes and goes would move it in one, P_s dt²/ρ_s: rounding would else throw a slice
+that hovers at closure to and fro. Without shares a voice whose period is a whole number of steps jumps in the same part
+of a step in every cycle, and the error does not average out.
+
 The integral from the inlet to a node does not ask where the flow separates: B takes its value at the first node that is
 not attached, and attached nodes their own.
 """
@@ -33,18 +46,22 @@ from vfcore.kernels.lanes import maximum, minimum, square_root, where
 # A reciprocal needs a gap above zero, and its cube must fit single precision. 10 pm is four orders below any gap that
 # passes flow.
 SMALLEST_GAP_M = 1e-11
+#: Keeps 1/Δ finite where nothing moves.
+STILL_M = 1e-12
+#: Keeps the flux finite where no pressure drives it, Pa·s/m; a millionth of a Pascal makes a thousandth of that unit.
+SMALLEST_ROOT = 1e-12
 
 
 @jit
-def half_gap(G, w):
-    """Half the local gap height d_g, m; SMALLEST_GAP_M / 2 where the fold meets the medial plane."""
-    return maximum(G - w, 0.5 * SMALLEST_GAP_M)
+def above_zero(half):
+    """Half the local gap height d_g, m, from G − w; SMALLEST_GAP_M / 2 where the fold meets the medial plane."""
+    return maximum(half, 0.5 * SMALLEST_GAP_M)
 
 
 @jit
 def gap(G, w):
     """Local gap height d_g, m; SMALLEST_GAP_M where the fold meets the medial plane."""
-    return 2.0 * half_gap(G, w)
+    return 2.0 * above_zero(G - w)
 
 
 @jit
@@ -66,17 +83,40 @@ def separation_gap(d_min, d_max, alpha_s):
 
 
 @jit
-def attached(running_min, running_min_upstream, d_sep, d_min):
-    """True where the flow is attached (open slice) or the node is on the lung side (closed slice).
+def attached(running_min, d_sep):
+    """True where the flow is attached or, in a closed slice, at rest on the lung side of the first contact.
 
-    The running minima and ``d_sep`` may be halves, all three; ``d_min`` is the whole gap.
+    Both numbers may be halves; ``running_min`` is the smallest gap from the inlet to the node.
     """
-    return where(is_open(d_min), running_min, running_min_upstream) > d_sep
+    return running_min > d_sep
+
+
+@jit
+def change(half_min, half_min_before, pushed):
+    """Δ, m: how much the smallest half gap of a slice has changed in the last step, and what the pressure that jumps
+    would move it in one, ``pushed``.
+    """
+    return size(half_min - half_min_before) + pushed + STILL_M
+
+
+@jit
+def share_shut(half_min, per_change):
+    """s_0, the share of the step in which the slice is shut somewhere; ``per_change`` is 1/Δ, m⁻¹."""
+    return minimum(maximum(0.5 - half_min * per_change, 0.0), 1.0)
+
+
+@jit
+def share_held(upstream, per_change, shut):
+    """(s_0 − s_{j+1})⁺, the share of the step in which a node that is not attached holds the lung pressure.
+
+    ``upstream``: the smallest half gap from the inlet to the node before it, m; ``shut`` is s_0.
+    """
+    return maximum(minimum(upstream * per_change + (shut - 0.5), shut), 0.0)
 
 
 @jit
 def reciprocals(half_1, half_2):
-    """1/d₁ and 1/d₂, m⁻¹, from d₁/2 and d₂/2: one division for both, which costs more than the products do."""
+    """1/d₁ and 1/d₂ from d₁/2 and d₂/2: one division for both, which costs more than the products do."""
     per_product = 0.5 / (half_1 * half_2)
     return per_product * half_2, per_product * half_1
 
@@ -113,14 +153,17 @@ def viscous_drop(viscous_sum, d_sep, six_mu_a_dy):
 
 @jit
 def flux_root(P_s, Bd, half_rho_a):
-    """√((B d_sep)² + 2ρ_a P_s), of the size of the drop."""
-    return square_root(Bd * Bd + 4.0 * half_rho_a * size(P_s))
+    """√((B d_sep)² + 2ρ_a P_s), of the size of the drop; SMALLEST_ROOT without one."""
+    return square_root(Bd * Bd + 4.0 * half_rho_a * size(P_s)) + SMALLEST_ROOT
 
 
 @jit
-def slice_flux(P_s, d_min, d_sep, Bd, root):
-    """Flow per unit width q, m²/s, under the drop ``P_s`` from inlet to outlet; odd in it, and 0 in a closed slice."""
-    return where(is_open(d_min), 2.0 * P_s * d_sep / (Bd + root + 1e-30), 0.0)
+def slice_flux(P_s, d_min, d_sep, per_sum):
+    """Flow per unit width q, m²/s, under the drop ``P_s`` from inlet to outlet; odd in it, and 0 in a closed slice.
+
+    ``per_sum``: 1/(B d_sep + √(…)).
+    """
+    return where(is_open(d_min), 2.0 * P_s * d_sep * per_sum, 0.0)
 
 
 @jit

@@ -18,6 +18,7 @@ Kept between steps: w, v^{n−½} and v*, so that every damper reads v* without 
 come from v^{n−½} by one multiply-add each, the next v* being v^{n−½} + (3/2) dt a.
 Shear is taken in differences between rows, with G̃/dy² and η̃/dy²; an edge row is a half cell, with no flux through the
 edge: the flux beyond mirrors the one within, and its traction and contact count half.
+The air pressure at the first contact of a slice jumps as it closes or opens: it is averaged over the step (flow.py).
 
 Columns go through three phases, BLOCK groups of them at a time: gaps, flux, forces. The flux is one long chain (√, ÷)
 from the last gap on, during which a processor would idle: the chains of a block run side by side.
@@ -31,11 +32,12 @@ from functools import lru_cache
 
 from vfcore.kernels import airways, contact, flow, membrane
 from vfcore.kernels.jit import inlined
-from vfcore.kernels.lanes import all_of, each, lane, load, load_mask, maximum, minimum, spread, store, total, where
+from vfcore.kernels.lanes import all_of, each, lane, load, maximum, minimum, spread, store, total, where
 from vfcore.kernels.layout import LANES, RECORD, Layout
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
-half_gap, reciprocals, is_open, opening = flow.half_gap, flow.reciprocals, flow.is_open, flow.opening
+above_zero, reciprocals, opening = flow.above_zero, flow.reciprocals, flow.opening
+change, share_shut, share_held = flow.change, flow.share_shut, flow.share_held
 size, square, cube = flow.size, flow.square, flow.cube
 separation_gap, attached, viscous_segment = flow.separation_gap, flow.attached, flow.viscous_segment
 viscous_drop, flux_root, slice_flux, pressure = flow.viscous_drop, flow.flux_root, flow.slice_flux, flow.pressure
@@ -72,11 +74,11 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     PH, VPH, VPHS = L.field("phi"), L.field("vphi"), L.field("vphi_star")
     K, ROWS, BLOCK = L.K_coup // P, ny * W, L.block
     R, M, I = L.scratch("square"), L.scratch("running_min"), L.scratch("viscous")
-    MOST, LEAST = L.scratch("slice"), L.scratch("slice") + BLOCK * W
-    Q, ON = MOST, M  # what is put in the place of numbers that have been read for the last time
+    MOST, SEP, PER_CHANGE = (L.scratch("slice") + row * BLOCK * W for row in range(3))
+    Q = MOST  # put in the place of a number that has been read for the last time
     WB, VB, VBS, FB = L.line("w_b"), L.line("v_b"), L.line("v_star_b"), L.line("beam_force")
     LOAD, INV, WIDTH, COLUMN = L.line("beam_load"), L.line("inverse_density"), L.line("width"), L.line("column")
-    BI, WORKED, BEYOND = L.beam_inverse, L.worked, L.line("beyond")
+    BI, WORKED, BEYOND, LAST = L.beam_inverse, L.worked, L.line("beyond"), L.line("half_min")
     HELD = END - W if many else END  # the posterior end: of many folds a group of its own, in which nothing moves
     PER_D, A_1, A_2 = L.line("per_D"), L.line("a"), L.line("c")
 
@@ -115,10 +117,10 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                         for k in range(0, ny, 2):  # rows in pairs
                             j = ny - 1 - k
                             o, to = j * S + i, here + j * W
-                            half, half_next = half_gap(load(buf, G + o, W), load(buf, WM + o, W)), far
+                            half, half_next = load(buf, G + o, W) - load(buf, WM + o, W), far
                             if j > 0:
-                                half_next = half_gap(load(buf, G + o - S, W), load(buf, WM + o - S, W))
-                            r, r_next = reciprocals(half, half_next)
+                                half_next = load(buf, G + o - S, W) - load(buf, WM + o - S, W)
+                            r, r_next = reciprocals(above_zero(half), above_zero(half_next))
                             smallest, largest_half = minimum(half, smallest), maximum(half, largest_half)
                             if k > 0:
                                 integral = integral + viscous_segment(cube_below, cube(r))
@@ -137,23 +139,23 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     # separation and flux
                     for g in range(groups):
                         i, here = first + g * W, g * ROWS
-                        d_min = 2.0 * load(buf, M + here, W)
-                        d_sep = separation_gap(d_min, 2.0 * load(buf, MOST + g * W, W), alpha_s)
-                        half_sep = 0.5 * d_sep
-                        integral, upstream = zero, far
-                        for k in range(ny):
+                        half_min = load(buf, M + here, W)
+                        d_min = 2.0 * above_zero(half_min)
+                        d_sep = separation_gap(d_min, 2.0 * above_zero(load(buf, MOST + g * W, W)), alpha_s)
+                        half_sep, integral = 0.5 * d_sep, zero
+                        for k in range(ny - 1):
                             j = ny - 1 - k
-                            running = load(buf, M + here + j * W, W)
-                            on = attached(running, upstream, half_sep, d_min)
-                            upstream = running
-                            store(buf, ON + here + j * W, on)
-                            if j > 0:
-                                integral = where(on, load(buf, I + here + j * W - W, W), integral)
+                            on = attached(load(buf, M + here + j * W, W), half_sep)
+                            integral = where(on, load(buf, I + here + j * W - W, W), integral)
                         Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
                         root = flux_root(drop, Bd, half_rho_a)
-                        q = slice_flux(drop, d_min, d_sep, Bd, root)
+                        pushed = dt * dt * load(buf, INV + i, W) * size(drop)
+                        moves = change(half_min, load(buf, LAST + i, W), pushed)
+                        per_sum, per_change = reciprocals(0.5 * (Bd + root), 0.5 * moves)
+                        q = slice_flux(drop, d_min, d_sep, per_sum)
                         store(buf, Q + g * W, q)
-                        store(buf, LEAST + g * W, d_min)
+                        store(buf, SEP + g * W, half_sep)
+                        store(buf, PER_CHANGE + g * W, per_change)
                         width = load(buf, WIDTH + i, W)
                         area, flow_rate = area + opening(d_min) * width, flow_rate + q * width
                         if air is not None:
@@ -171,9 +173,12 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                                 touched = where(met, touched + (0.5 if j == 0 or j == ny - 1 else 1.0), touched)
                             contact_area = contact_area + touched * load(buf, WIDTH + i, W) * dy
                             continue
-                        d_min, q = load(buf, LEAST + g * W, W), load(buf, Q + g * W, W)
-                        closed = many or not all_of(is_open(d_min))  # among many folds some nearly always are
-                        w_b, v_b = load(buf, WB + i, W), load(buf, VBS + i, W)
+                        q, half_sep = load(buf, Q + g * W, W), load(buf, SEP + g * W, W)
+                        half_min, per_change = load(buf, M + here, W), load(buf, PER_CHANGE + g * W, W)
+                        store(buf, LAST + i, half_min)
+                        shut, upstream = share_shut(half_min, per_change), far
+                        closed = many or not all_of(half_min * per_change > 0.5)  # of many folds some nearly always are
+                        w_b, beam_damper = load(buf, WB + i, W), C_coup * load(buf, VBS + i, W)
                         inverse = dt * load(buf, INV + i, W)
                         three_halves = 1.5 * inverse
                         slice_largest, touched, to_beam, flux_below = zero, zero, zero, zero
@@ -183,16 +188,19 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                             j = ny - 1 - k
                             o = j * S + i
                             edge = k == 0 or j == 0
-                            on = load_mask(buf, ON + here + j * W, W)
+                            running = load(buf, M + here + j * W, W)
+                            on = attached(running, half_sep)
                             per_d2, viscous = load(buf, R + here + j * W, W), load(buf, I + here + j * W, W)
                             p_aero = where(on, pressure(inlet, q, per_d2, viscous, half_rho_a, six_mu_a_dy), outlet)
                             p_col = zero
                             if closed:
+                                held = outlet + (inlet - outlet) * share_held(upstream, per_change, shut)
+                                p_aero, upstream = where(on, p_aero, held), running
                                 G_j = load(buf, G + o, W)
                                 p_col = contact_pressure(w, v, G_j, K_col, C_col)
                                 slice_largest = maximum(p_col, slice_largest)
                                 touched = where(touching(w, G_j), touched + (0.5 if edge else 1.0), touched)
-                            traction = coupling(w, v, w_b, v_b, each(buf, K + j, P, W), C_coup)
+                            traction = coupling(w, v, w_b, beam_damper, each(buf, K + j, P, W), C_coup)
                             to_beam = to_beam + (0.5 if edge else 1.0) * traction
                             w_next, v_next, shear_next, flux = w, v, shear, zero
                             if j > 0:
@@ -221,7 +229,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                             flux_below, w, v, shear = flux, w_next, v_next, shear_next
 
                         # beam: load per mass, ready for the implicit product
-                        beam = to_beam * dy - K_foun * w_b - C_foun * v_b
+                        beam = to_beam * dy - K_foun * w_b - C_foun * load(buf, VBS + i, W)
                         rhs = beam * per_rho_l + load(buf, LOAD + i, W) + four_per_dt2 * w_b
                         if many:
                             rhs = rhs - load(buf, A_1 + i, W) * y_1 - load(buf, A_2 + i, W) * y_2

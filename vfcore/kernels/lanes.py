@@ -166,7 +166,7 @@ def load(array, at, count):
 
 
 def store(array, at, lanes):
-    """``array[at : at + count] = lanes``; compiled, a mask takes one bit a lane of that place (``load_mask``)."""
+    """``array[at : at + count] = lanes``."""
     array[at : at + len(lanes)] = lanes
 
 
@@ -190,11 +190,6 @@ def all_of(mask):
     return bool(np.all(mask))
 
 
-def load_mask(array, at, count):
-    """The mask that was stored in place of ``count`` neighbours."""
-    return array[at : at + count] > 0.0
-
-
 def total(lanes):
     """The sum over the lanes, halves first: lane k and lane k + count/2, and so on."""
     while len(lanes) > 1:
@@ -202,23 +197,14 @@ def total(lanes):
     return lanes[0]
 
 
+@infer_global(load)
 class _LoadTypes(AbstractTemplate):
     prefer_literal = True
 
     def generic(self, args, kws):
         array, at, count = args
         if isinstance(count, types.IntegerLiteral):
-            return signature(self.kind(array, count.literal_value), array, types.intp, count)
-
-
-@infer_global(load)
-class _LoadLanesTypes(_LoadTypes):
-    kind = staticmethod(lambda array, count: Lanes(array.dtype, count))
-
-
-@infer_global(load_mask)
-class _LoadMaskTypes(_LoadTypes):
-    kind = staticmethod(lambda array, count: Mask(count))
+            return signature(Lanes(array.dtype, count.literal_value), array, types.intp, count)
 
 
 @infer_global(store)
@@ -321,26 +307,6 @@ def _store(context, builder, sig, args):
     pointer = _pointer(context, builder, sig.args[0], args[0], args[1], lanes.count)
     builder.store(args[2], pointer, align=lanes.dtype.bitwidth // 8)
     return context.get_dummy_value()
-
-
-def _bits(context, builder, array_type, array, at, count):
-    """Where the bits of a mask are, and their type."""
-    bits = ir.IntType(count)
-    return builder.bitcast(_pointer(context, builder, array_type, array, at, count), bits.as_pointer()), bits
-
-
-@lower_builtin(store, types.Array, types.Integer, Mask)
-def _store_mask(context, builder, sig, args):
-    pointer, bits = _bits(context, builder, sig.args[0], args[0], args[1], sig.args[2].count)
-    builder.store(builder.bitcast(args[2], bits), pointer)
-    return context.get_dummy_value()
-
-
-@lower_builtin(load_mask, types.Array, types.Integer, types.IntegerLiteral)
-def _load_mask(context, builder, sig, args):
-    count = sig.return_type.count
-    pointer, _ = _bits(context, builder, sig.args[0], args[0], args[1], count)
-    return builder.bitcast(builder.load(pointer), ir.VectorType(ir.IntType(1), count))
 
 
 @lower_builtin(spread, types.Float, types.Array, types.IntegerLiteral)

@@ -100,13 +100,13 @@ FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star", "G")
 STATE_FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star")
 # State of the beam. Scratch: its load. Fixed: load of the end moments, 1/ρ_s, width of the slice, number of the column;
 # of many folds the factors of I − dt²A/4 (kernels/banded.py), 1/D, a and c.
-# What the last steps saw: displacements beyond all bounds.
+# What the last steps saw: displacements beyond all bounds; the smallest half gap of each slice.
 LINES = (
     "w_b", "v_b", "v_star_b", "beam_force", "beam_load", "inverse_density", "width", "column", "per_D", "a", "c",
-    "beyond",
+    "beyond", "half_min",
 )  # fmt: skip
-# Of the columns at hand: 1/d_g²; half of min d_g from the inlet, then in its place whether the flow is attached; the
-# viscous integral. In the rows of the last: half of max d_g, then in its place the flux per width; min d_g.
+# Of the columns at hand: 1/d_g²; half of min d_g from the inlet, signed; the viscous integral. In the rows of the last:
+# half of max d_g, then in its place the flux per width; half of d_sep; 1/Δ, how fast the smallest half gap changes.
 SCRATCH = ("square", "running_min", "viscous", "slice")
 
 # Scalars of the step, in this order in the parameter array.

@@ -24,9 +24,9 @@ def tension(w_before, w, w_after, T_over_dx2):
 
 
 @jit
-def coupling(w_m, v_m, w_b, v_b, K_coup, C_coup):
-    """Traction between membrane and beam, Pa; pulls the membrane towards the beam."""
-    return K_coup * (w_m - w_b) + C_coup * (v_m - v_b)
+def coupling(w_m, v_m, w_b, beam_damper, K_coup, C_coup):
+    """Traction between membrane and beam, Pa; pulls the membrane towards the beam. ``beam_damper``: C_coup ẇ_b."""
+    return K_coup * (w_m - w_b) + (C_coup * v_m - beam_damper)
 
 
 @jit

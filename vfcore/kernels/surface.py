@@ -1,7 +1,8 @@
 """Pressures on the medial surface of one state, for pictures: the laws of flow.py and contact.py, node by node.
 
-The step keeps no pressure fields. This reads them back from a stored state with the same laws,
-at the velocity the step would use (extrapolated to the time of the displacement).
+The step keeps no pressure fields. This reads them back from a stored state with the same laws, at the velocity the step
+would use (extrapolated to the time of the displacement), and as they are at that time: where a slice closes or opens
+within the step, the step feels the mean over it.
 """
 
 import math
@@ -11,7 +12,12 @@ from vfcore.kernels.jit import jit
 
 contact_pressure = contact.contact_pressure
 gap, separation_gap, attached, square, cube = flow.gap, flow.separation_gap, flow.attached, flow.square, flow.cube
-viscous_segment, viscous_drop, flux_root = flow.viscous_segment, flow.viscous_drop, flow.flux_root
+is_open, viscous_segment, viscous_drop, flux_root = (
+    flow.is_open,
+    flow.viscous_segment,
+    flow.viscous_drop,
+    flow.flux_root,
+)
 slice_flux, pressure = flow.slice_flux, flow.pressure
 
 
@@ -33,20 +39,21 @@ def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu
         for k in range(ny):  # first pass: the integral down to separation gives the flux
             j = ny - 1 - k
             running = min(gap(G[j, i], w[j, i]), upstream)
-            on = attached(running, upstream, d_sep, d_min)
+            on = attached(running, d_sep)
             upstream = running
             if j > 0:
                 here = cube(1.0 / gap(G[j, i], w[j, i]))
                 above = cube(1.0 / gap(G[j - 1, i], w[j - 1, i]))
                 integral += on * viscous_segment(here, above)
         Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
-        q = slice_flux(inlet - outlet, d_min, d_sep, Bd, flux_root(inlet - outlet, Bd, half_rho_a))
+        root = flux_root(inlet - outlet, Bd, half_rho_a)
+        q = slice_flux(inlet - outlet, d_min, d_sep, 1.0 / (Bd + root))
         integral, upstream = 0.0, math.inf
         for k in range(ny):
             j = ny - 1 - k
             d = gap(G[j, i], w[j, i])
             running = min(d, upstream)
-            on = attached(running, upstream, d_sep, d_min)
+            on = attached(running, d_sep) or (not is_open(d_min) and attached(upstream, d_sep))
             upstream = running
             attached_pressure = pressure(inlet, q, square(1.0 / d), integral, half_rho_a, six_mu_a_dy)
             p_aero[j, i] = attached_pressure if on else outlet

@@ -10,7 +10,15 @@ from functools import lru_cache
 from vfcore.kernels import banded
 from vfcore.kernels.jit import jit
 from vfcore.kernels.layout import Layout
-from vfcore.kernels.tissue import beam_ends, coupling_stiffness, longest_step, medial_plane, prestrained, step_numbers
+from vfcore.kernels.tissue import (
+    beam_bands,
+    beam_ends,
+    coupling_stiffness,
+    longest_step,
+    medial_plane,
+    prestrained,
+    step_numbers,
+)
 
 
 @lru_cache(maxsize=32)
@@ -48,18 +56,16 @@ def target_kernel(nx: int, ny: int, rotation: bool):
             buffer[LOAD + i], buffer[INV + i], buffer[WIDTH + i] = 0.0, 1.0 / rho_s, dx
         buffer[WIDTH + NB] = 0.5 * dx
 
-        gain_0, offset_0, gain_L, offset_L = beam_ends(dx, mu, lam, M_c, c.K_r_a_n_m, c.K_r_p_n_m, theta_g, theta_0)
-        pull, bend = N_b / dx**2 / rho_l, mu / dx**4 / rho_l
-        buffer[LOAD] = -bend * offset_0
-        buffer[LOAD + NB - 1] += -bend * offset_L
-        quarter = 0.25 * dt * dt
+        ends = beam_ends(dx, mu, lam, M_c, c.K_r_a_n_m, c.K_r_p_n_m, theta_g, theta_0)
+        at_0, centre, at_L, first, second, load_0, load_L = beam_bands(dx, N_b, mu, ends)
+        buffer[LOAD] = load_0 / rho_l
+        buffer[LOAD + NB - 1] += load_L / rho_l
+        quarter = 0.25 * dt * dt / rho_l
         for i in range(NB):
-            work[i] = 1.0 + quarter * (2.0 * pull + 6.0 * bend)
-        work[0] += quarter * bend * gain_0
-        work[NB - 1] += quarter * bend * gain_L
-        first, second = -quarter * (pull + 4.0 * bend), quarter * bend
+            work[i] = 1.0 - quarter * centre
+        work[0], work[NB - 1] = 1.0 - quarter * at_0, 1.0 - quarter * at_L
         D, a, c_2 = work[:NB], work[NB : 2 * NB], work[2 * NB : 3 * NB]
-        factor(D, first, second, a, c_2)
+        factor(D, -quarter * first, -quarter * second, a, c_2)
         invert(D, a, c_2, buffer[BI:], WORKED)
 
         numbers = step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c)

@@ -152,6 +152,20 @@ def beam_ends(dx, mu, lam, M_c, K_r_a, K_r_p, theta_g, theta_0):
 
 
 @formula
+def beam_bands(dx, N_b, mu, ends):
+    """The beam's force per length on the inner nodes of the grid, two or more. Of the symmetric matrix of w_b, N/m²:
+    the diagonal at the first node, in between and at the last one, then the numbers one and two places beside it. Of
+    the load, N/m: the first node's and the last one's. ``ends``: what ``beam_ends`` gives.
+    """
+    gain_0, offset_0, gain_L, offset_L = ends
+    pull, bend = N_b / dx**2, mu / dx**4
+    return (
+        -2.0 * pull - bend * (6.0 + gain_0), -2.0 * pull - 6.0 * bend, -2.0 * pull - bend * (6.0 + gain_L),
+        pull + 4.0 * bend, -bend, -bend * offset_0, -bend * offset_L,
+    )  # fmt: skip
+
+
+@formula
 def step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c):
     """The numbers of layout.SCALARS in their order; T, G_t, eta_t, rho_l and J are those of ``prestrained``."""
     return (

@@ -13,7 +13,7 @@ offset is a constant load. Second order in dx.
 import numpy as np
 
 from vfcore.constants import FoldConstants
-from vfcore.kernels.tissue import beam_ends
+from vfcore.kernels.tissue import beam_bands, beam_ends
 from vfcore.tissue.coefficients import Coefficients
 
 
@@ -27,16 +27,15 @@ def beam_operator(
     n = nx - 2
     dx = c.length_m / (nx - 1)
     mu = c.bending_stiffness_n_m2
-    gain_0, offset_0, gain_L, offset_L = beam_ends(
+    ends = beam_ends(
         dx, mu, c.stretch_ratio, c.prestress_moment_n_m, constants.K_r_a_n_m, constants.K_r_p_n_m, theta_g, theta_0
     )
-    fourth = _banded(n, 6.0, -4.0, 1.0)
-    fourth[0, 0] += gain_0
-    fourth[-1, -1] += gain_L
-    matrix = c.beam_tension_n / dx**2 * _banded(n, -2.0, 1.0, 0.0) - mu / dx**4 * fourth
+    at_0, centre, at_L, first, second, load_0, load_L = beam_bands(dx, c.beam_tension_n, mu, ends)
+    matrix = _banded(n, centre, first, second)
+    matrix[0, 0], matrix[-1, -1] = at_0, at_L
     load = np.zeros(n)
-    load[0] = -mu / dx**4 * offset_0
-    load[-1] += -mu / dx**4 * offset_L
+    load[0] = load_0
+    load[-1] += load_L
     return matrix, load
 
 
