@@ -2,7 +2,8 @@
 
 The search starts from a Latin hypercube over constants and posture and evolves it by how far each set is from what is
 wanted (vocalis_norms.shortfall). Its best sets are then judged in full: every norm, and every claim of the paper on
-full maps with runs of 1 s, beside the paper's constants with either coupling. Adopted is the first by ``rank``:
+full maps with runs of 1 s, beside the paper's constants with either coupling. So is the set that ``human`` has so far:
+another rounding leads the search elsewhere, and only a better set shall replace it. Adopted is the first by ``rank``:
 
 1. the wanted norms met, twelve of fifteen;
 2. the fewest claims on shapes, closure patterns and maps that come out worse than with the paper's constants, two-way
@@ -15,17 +16,21 @@ The claims on one cycle (M) and on PCA (P) are judged, and count in the search, 
 """
 
 import itertools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict
 from functools import partial
 from math import log
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from scipy.stats import spearmanr
 
 from vfcore.params import Simulation
 from vfcore.request import simulation_from_dict
+from vfcore.variants import VARIANTS
+from vocalis_norms import efforts
+from vocalis_norms.candidate import Candidate, Reference, Verdicts, front
 from vocalis_norms.evolution import Generation, evolve
 from vocalis_norms.factors import (
     CONSTANTS,
@@ -35,13 +40,13 @@ from vocalis_norms.factors import (
     activation_of,
     base_of,
     constants_of,
+    request_of,
     sample,
     values_at,
 )
 from vocalis_norms.norms import FIFTEEN
 from vocalis_norms.score import judged, score_base
-from vocalis_norms.shortfall import AIMS, RANK, TRENDS, WANTED, Tried, distances, shortfall, voices
-from vocalis_paper.bands import FAIL, PASS
+from vocalis_norms.shortfall import AIMS, RANK, Tried, distances, shortfall, voices
 from vocalis_paper.run import gather, warm_up
 from vocalis_paper.run_document import provenance
 from vocalis_paper.run_score import cases_for, judge
@@ -54,54 +59,7 @@ ROUNDS = ((40, 11, 0.5), (24, 11, 1.0))
 #: How many of the best sets are judged in full, and in how many other postures, the same for all, the norms are read
 #: before: a norm fixes no muscles.
 FINALISTS, POSTURES = 9, 16
-#: Claims on shapes and closure patterns (S) and on the maps over CT and TA (A), which the voice must keep.
-HELD = tuple(key for key in TRENDS if key[0] in "SA")
 Progress = Callable[[int, int], None]
-Verdicts = Mapping[str, str]
-
-
-class Reference(NamedTuple):
-    """The verdicts of the paper's constants with either coupling, by claim."""
-
-    one_way: Verdicts
-    two_way: Verdicts
-
-
-class Candidate(NamedTuple):
-    """A set judged in full: its factors, the judged norms, how far those out of range are, and the claims' verdicts."""
-
-    values: Values
-    judged: dict[str, Any]
-    distance: float
-    claims: Verdicts
-    reference: Reference
-
-    @property
-    def in_range(self) -> int:
-        return self.judged["in_range"]
-
-    @property
-    def lost(self) -> list[str]:
-        """Claims to be held that come out worse than with the paper's constants, both two-way coupled."""
-        return [key for key in HELD if RANK[self.claims[key]] > RANK[self.reference.two_way[key]]]
-
-    @property
-    def kept(self) -> list[str]:
-        """Claims to be held that come out no worse than with the paper's constants, one-way coupled."""
-        return [key for key in HELD if RANK[self.claims[key]] <= RANK[self.reference.one_way[key]]]
-
-    @property
-    def rank(self) -> tuple[float, ...]:
-        """The rule, smallest first."""
-        return max(WANTED - self.in_range, 0), len(self.lost), -len(self.kept), -self.in_range, self.distance
-
-    @property
-    def merits(self) -> tuple[int, int, int]:
-        return self.in_range, -len(self.lost), len(self.kept)
-
-    def beats(self, other: "Candidate") -> bool:
-        """Whether it is as good in norms, claims lost and claims kept, and better in one of them."""
-        return self.merits != other.merits and all(a >= b for a, b in zip(self.merits, other.merits, strict=True))
 
 
 def study_document(
@@ -115,7 +73,7 @@ def study_document(
     ticks = itertools.count(1)
 
     def count() -> None:
-        progress(next(ticks), trials + finalists)
+        progress(next(ticks), trials + finalists + 1)
 
     reference = Reference(*(_verdicts(_paper(way), pool) for way in ("one_way", "two_way")))
     allowed = {key: RANK[verdict] for key, verdict in reference.two_way.items()}
@@ -133,8 +91,11 @@ def study_document(
         found += evolve(points, partial(attempt, voice_s), generations, SEED + number)
     ranked = []
     for values in best_of(found[-1].points, found[-1].tried, finalists):
-        ranked.append(_in_full(values, reference, pool))
+        values = _in_best_posture(values, pool)
+        ranked.append(_in_full(constants_of(values), activation_of(values), reference, pool))
         count()
+    ranked.append(_in_full(*so_far(), reference, pool))
+    count()
     ranked.sort(key=lambda candidate: candidate.rank)
     return {
         "kind": "calibration",
@@ -143,8 +104,8 @@ def study_document(
         "reference": reference._asdict(),
         "tried": trials,
         "shortfall": [round(min(one.total for one in generation.tried), 2) for generation in found],
-        "best": [_plain(candidate) for candidate in ranked],
-        "front": [_plain(candidate) for candidate in front(ranked)],
+        "best": [candidate.plain for candidate in ranked],
+        "front": [candidate.plain for candidate in front(ranked)],
         "effects": _effects(found[0].points, found[0].tried),
     }
 
@@ -161,16 +122,6 @@ def best_of(points: np.ndarray, tried: Sequence[Tried], count: int) -> list[Valu
         values = values_at(points[k])
         kept.setdefault((*constants_of(values).values(), *activation_of(values).values()), values)
     return list(kept.values())[:count]
-
-
-def front(found: Iterable[Candidate]) -> list[Candidate]:
-    """The candidates that none beats in norms and claims at once, most norms first; of equals the first."""
-    everyone = list(found)
-    kept: dict[tuple, Candidate] = {}
-    for candidate in everyone:
-        if not any(other.beats(candidate) for other in everyone):
-            kept.setdefault(candidate.merits, candidate)
-    return [kept[key] for key in sorted(kept, reverse=True)]
 
 
 def _paper(way: str) -> Simulation:
@@ -198,11 +149,20 @@ def _in_best_posture(values: Values, pool: ProcessPoolExecutor) -> Values:
     return asked[min(range(len(asked)), key=ranks.__getitem__)]
 
 
-def _in_full(values: Values, reference: Reference, pool: ProcessPoolExecutor) -> Candidate:
-    values = _in_best_posture(values, pool)
-    base = base_of(values)
+def so_far() -> tuple[dict[str, float], dict[str, float]]:
+    """Constants and activation that ``human`` and its norms have now, by the names of ``constants_of``."""
+    own = VARIANTS["human"].constants()
+    names = constants_of(values_at([0.5] * len(FACTORS)))
+    return {name: getattr(own, name) for name in names}, asdict(efforts.POSTURE)
+
+
+def _in_full(
+    constants: dict[str, float], activation: dict[str, float], reference: Reference, pool: ProcessPoolExecutor
+) -> Candidate:
+    base = request_of(constants, activation)
     result = score_base(base, pool)
-    return Candidate(values, result, sum(distances(result["norms"]).values()), _verdicts(base, pool), reference)
+    distance = sum(distances(result["norms"]).values())
+    return Candidate(constants, activation, result, distance, _verdicts(base, pool), reference)
 
 
 def _effects(points: np.ndarray, tried: Sequence[Tried]) -> dict[str, dict[str, float]]:
@@ -224,20 +184,4 @@ def _correlations(sets: Sequence[Values], numbers: Sequence[float | None]) -> di
     return {
         f.name: round(float(spearmanr([log(values[f.name]) for values, _ in known], column).statistic), 2)
         for f in CONSTANTS
-    }
-
-
-def _plain(candidate: Candidate) -> dict[str, Any]:
-    counts = {str(verdict): sum(found == verdict for found in candidate.claims.values()) for verdict in RANK}
-    return {
-        "constants": constants_of(candidate.values),
-        "activation": activation_of(candidate.values),
-        "in_range": candidate.in_range,
-        "distance": round(candidate.distance, 3),
-        "norms": {key: candidate.judged["norms"][key]["value"] for key in FIFTEEN},
-        "score": counts,
-        "lost": candidate.lost,
-        "kept": len(candidate.kept),
-        "failed": [key for key, verdict in candidate.claims.items() if verdict == FAIL],
-        "short": [key for key, verdict in candidate.claims.items() if verdict not in (FAIL, PASS)],
     }

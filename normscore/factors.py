@@ -84,12 +84,15 @@ def activation_of(values: Mapping[str, float]) -> dict[str, float]:
 
 
 def base_of(values: Mapping[str, float]) -> Simulation:
-    """The request of a set, two-way coupled, all constants but the factors the paper's."""
+    """The request of a set."""
+    return request_of(constants_of(values), activation_of(values))
+
+
+def request_of(constants: Mapping[str, float], activation: Mapping[str, float]) -> Simulation:
+    """A request with these, two-way coupled, all other constants the paper's."""
     document: dict[str, Any] = {
-        "model": {"coupling": "two_way"},
-        "activation": activation_of(values),
-        "constants": constants_of(values),
-    }
+        "model": {"coupling": "two_way"}, "activation": dict(activation), "constants": dict(constants),
+    }  # fmt: skip
     return simulation_from_dict(document)
 
 

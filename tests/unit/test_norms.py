@@ -16,6 +16,7 @@ from vfcore.variants import VARIANTS
 from vfcore.version import MODEL_VERSION
 from vocalis_cli.main import main
 from vocalis_norms import calibration, factors, shortfall
+from vocalis_norms.candidate import HELD, Candidate, Reference, front
 from vocalis_norms.efforts import POSTURE, requests
 from vocalis_norms.evolution import evolve
 from vocalis_norms.norms import FIFTEEN, NORMS
@@ -96,18 +97,18 @@ def test_the_human_voice_meets_the_norms_it_is_shipped_with():
 
 
 KEYS = ("A2", "A4", "S1", "A9")
-REFERENCE = calibration.Reference(
+REFERENCE = Reference(
     dict.fromkeys(calibration.PHYSICS, "pass"), dict.fromkeys(calibration.PHYSICS, "pass") | {"A9": "fail"}
 )
 
 
-def candidate(in_range: int, verdicts: str, distance: float = 1.0, numbers: str = "pp") -> calibration.Candidate:
+def candidate(in_range: int, verdicts: str, distance: float = 1.0, numbers: str = "pp") -> Candidate:
     """A candidate that meets ``in_range`` norms; ``verdicts``: p, d and f for KEYS; ``numbers`` for M2 and M3."""
     words = {"p": "pass", "d": "deviation", "f": "fail"}
     claims = dict.fromkeys(calibration.PHYSICS, "pass")
     for key, letter in zip((*KEYS, "M2", "M3"), verdicts + numbers, strict=True):
         claims[key] = words[letter]
-    return calibration.Candidate({}, {"in_range": in_range}, distance, claims, REFERENCE)
+    return Candidate({}, {}, {"in_range": in_range}, distance, claims, REFERENCE)
 
 
 def test_the_rule_asks_for_norms_then_what_is_lost_then_what_is_kept_then_more_norms():
@@ -122,7 +123,7 @@ def test_the_rule_asks_for_norms_then_what_is_lost_then_what_is_kept_then_more_n
 def test_the_front_holds_what_nothing_beats_once():
     best = [candidate(14, "ddpf"), candidate(13, "pdpf"), candidate(12, "pppf")]
     beaten = [candidate(12, "pdpf"), candidate(11, "pppf"), candidate(13, "pddf"), candidate(12, "pppf")]
-    assert calibration.front([*best, *beaten]) == best
+    assert front([*best, *beaten]) == best
 
 
 def test_a_set_tried_is_a_rounded_one_in_the_box_and_leaves_the_posture_alone():
@@ -204,7 +205,7 @@ def test_human_keeps_the_shapes_and_maps_that_its_coupling_leaves_the_paper():
     """Shapes, closure patterns and maps: none worse than with the paper's own constants under two-way coupling."""
     human, paper = (DOCUMENTS["claims"]["columns"][f"{name}, two_way"]["outcomes"] for name in ("human", "paper"))
     rank = {"pass": 0, "deviation": 1, "fail": 2}
-    lost = [key for key in calibration.HELD if rank[human[key]["verdict"]] > rank[paper[key]["verdict"]]]
+    lost = [key for key in HELD if rank[human[key]["verdict"]] > rank[paper[key]["verdict"]]]
     assert lost == [] and human["A4"]["verdict"] == "pass"
 
 
