@@ -21,10 +21,11 @@ def own():
 
 def kill_worker(server, client, job) -> None:
     """kill -9 the one worker once the job has progressed in it."""
-    wait_until(lambda: client.get(f"/jobs/{job['id']}").json()["progress"] > 0)
-    (pid,) = server.services.desk.engine.worker_pids
+    engine = server.services.desk.engine
+    wait_until(lambda: engine.worker_pids and client.get(f"/jobs/{job['id']}").json()["progress"] > 0)
+    (pid,) = engine.worker_pids
     os.kill(pid, signal.SIGKILL)
-    wait_until(lambda: pid not in server.services.desk.engine.worker_pids)
+    wait_until(lambda: pid not in engine.worker_pids)
 
 
 def test_no_worker_is_started_before_there_is_a_job_unless_asked_for(own):
