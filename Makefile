@@ -46,8 +46,8 @@ compiled: $(VENV)/.tested
 	@VOCALIS_DATA="$(TEST_DATA)" $(BIN)/python -m vocalis_server --warm
 
 test-all: $(VENV)/.tested chromium compiled
-	$(BIN)/python -m pytest -q -n 3 -m "not slow and not browser and not alone"
-	$(BIN)/python -m pytest -q -n 2 -m "browser and not alone and not slow" tests/browser
+	$(BIN)/python -m pytest -q -n 3 --dist worksteal -m "not slow and not browser and not alone"
+	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m "browser and not alone and not slow" tests/browser
 	$(BIN)/python -m pytest -q -m "alone and not slow"
 
 # The kernels as plain Python, with every index checked, and compiled for the tests that follow: one core each.

@@ -15,3 +15,8 @@ os.environ["VOCALIS_JOBS_DIRECTORY"] = str(Path(_JOBS.name) / "jobs")
 os.environ["VOCALIS_WARM_WORKERS"] = "0"
 settings.register_profile("vocalis", deadline=None)
 settings.load_profile("vocalis")
+
+
+def pytest_collection_modifyitems(items):
+    """What takes longest comes first, so that it is not what everybody waits for at the end."""
+    items.sort(key=lambda item: item.get_closest_marker("first") is None)

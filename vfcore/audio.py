@@ -1,7 +1,7 @@
 """From pressure to a sound file: 48 kHz, 16-bit, mono.
 
-Resampling keeps pressure in Pa. Everything up to 0.42 of the lower of the two rates passes within 0.01 dB (14.7 kHz
-from 35 kHz, 20.1 kHz from faster ones); images and aliases, from 0.5 of it on, are at least 80 dB down. A ratio of
+Resampling keeps pressure in Pa. Everything up to 0.42 of the lower of the two rates passes within 0.01 dB (11.8 kHz
+from 28 kHz, 20.1 kHz from faster ones); images and aliases, from 0.5 of it on, are at least 80 dB down. A ratio of
 small whole numbers is done in one polyphase filter; any other first goes to a whole multiple of the input rate and
 is then read at the exact instants from a cubic spline.
 

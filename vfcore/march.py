@@ -29,7 +29,7 @@ READABLE_S = 0.25
 class March:
     """State of one fold under the step; times count from its start.
 
-    ``record_every`` steps make one recorded sample, so that the record comes at about 35 kHz for any step.
+    ``record_every`` steps make one recorded sample, so that the record comes at about 28 kHz for any step.
     """
 
     def __init__(
@@ -164,7 +164,7 @@ def _copied(air: np.ndarray | None) -> np.ndarray | None:
 
 
 def record_every(time_step_s: float) -> int:
-    """Steps per recorded sample, so that the record comes at about 35 kHz for any step."""
+    """Steps per recorded sample, so that the record comes at about 28 kHz for any step."""
     return max(1, math.floor(DEFAULT_STEP_S / time_step_s + 1e-9))
 
 

@@ -15,7 +15,7 @@ from vfcore.variants import VARIANTS, ModelVariant
 VOWELS = ("i", "I", "e", "E", "AE", "V", "a", "O", "o", "U", "u")
 SECTION_TRAVEL_S = 0.0025 / 350.0  # one 0.25 cm tract section at the paper's speed of sound
 PAPER_STEP_S = SECTION_TRAVEL_S / 4  # 1.7857e-6 s, the paper's time step
-DEFAULT_STEP_S = SECTION_TRAVEL_S * 4  # 28.57e-6 s: output at 35 kHz, see docs/implementation.md
+DEFAULT_STEP_S = SECTION_TRAVEL_S * 5  # 35.71e-6 s: output at 28 kHz, see docs/implementation.md
 
 _MUSCLE = "normalised activation, 0 relaxed to 1 full"
 

@@ -2,13 +2,14 @@
 
 One mode with frequency ω and damping rate c under the step of vfcore/kernels/fold.py obeys
 
-    z (z − 1)² + (z − 1)(3/2 a z − a/2) + s z² = 0,    s = ω² dt²,  a = c dt
+    z (z − 1)² + (z − 1)(3/2 a z − a/2) + s (z² + (z − 1)²/12) = 0,    s = ω² dt²,  a = c dt
 
-(velocity on half steps, dampers at the extrapolated velocity). As dt grows the first root to
-reach the unit circle is the one at z = −1, where s + 4a = 4: the alternating mode. The largest ω²
-and c on the grid are bounded by those of the membrane alone or the beam alone, whichever allows
-less, plus those of the coupling between them; all springs and dampers are taken as engaged. The
-beam's tension, bending and end moments are implicit and set no limit; its foundation does.
+(velocity on half steps, dampers at the extrapolated velocity, Störmer's displacement). As dt grows
+the first root to reach the unit circle is the one at z = −1, where s/3 + a = 1: the alternating
+mode. The largest ω² and c on the grid are bounded by those of the membrane alone or the beam alone,
+whichever allows less, plus those of the coupling between them; all springs and dampers are taken as
+engaged. The beam's tension, bending and end moments are implicit and set no limit; its foundation
+does, a little less than the bound says.
 """
 
 import math

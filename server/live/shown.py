@@ -9,7 +9,7 @@ from vfcore.gesture.contours import level_db
 from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Block
 
 STATE_EVERY = 8  # blocks: 12 pictures a second; a screen beside a played voice has no time for more
-WAVE_EVERY = 14  # samples: 2.5 kHz is enough for a line on a screen
+WAVE_EVERY = 10  # samples: 2.8 kHz is enough for a line on a screen
 WAVE_RATE_HZ = BLOCK_STEPS / WAVE_EVERY / BLOCK_S
 #: Of what is drawn: 1 µm; 0.01 mm² and 0.01 ml/s.
 LENGTH_DECIMALS, WAVE_DECIMALS = 6, 2

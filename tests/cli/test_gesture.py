@@ -48,7 +48,7 @@ def test_the_files_say_what_is_printed(finished):
     assert [None if row["fo_hz"] == "" else float(row["fo_hz"]) for row in rows] == said
     with xarray.open_dataset(folder / "glide.netcdf") as kept:
         assert kept["contour_fo_hz"].attrs["units"] == "Hz"
-        assert kept["glottal_area_m2"].size == 35_000
+        assert kept["glottal_area_m2"].size == 28_000
         assert kept["contour_activation_ct"].values[-1] == 0.9
     with wave.open(str(folder / "glide.wav")) as file:
         assert (file.getframerate(), file.getnframes(), file.getnchannels()) == (48_000, 48_000, 1)

@@ -116,16 +116,16 @@ def test_two_runs_on_end_are_one_run():
     assert np.array_equal(record, parts, equal_nan=True) and np.array_equal(buffer, march.buffer)
 
 
-def test_a_record_of_every_sixteenth_step_is_every_sixteenth_line_of_the_full_one():
+def test_a_record_of_every_twentieth_step_is_every_twentieth_line_of_the_full_one():
     march = modal_march(PAPER_STEP_S)
-    assert march.record_every == 16
+    assert march.record_every == 20
     sparse = march.run(300)
-    full = advance(modal_march(PAPER_STEP_S), 4800)
-    assert np.array_equal(sparse, full[::16], equal_nan=True)
+    full = advance(modal_march(PAPER_STEP_S), 6000)
+    assert np.array_equal(sparse, full[::20], equal_nan=True)
 
 
 @pytest.mark.parametrize(("parts", "every"), [(1, 1), (2, 2), (3, 3), (4, 4), (16, 16)])
-def test_the_record_comes_at_thirty_five_kilohertz_for_every_part_of_the_default_step(parts, every):
+def test_the_record_comes_at_twenty_eight_kilohertz_for_every_part_of_the_default_step(parts, every):
     assert modal_march(DEFAULT_STEP_S / parts).record_every == every
 
 

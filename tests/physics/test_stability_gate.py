@@ -14,8 +14,8 @@ def fold_on(nx, ny):
     return prepare(Simulation(run=Run(nx=nx, ny=ny))).fold
 
 
-def test_the_products_own_step_is_four_tract_sections_on_the_papers_grid():
-    assert time_step_s(Run(), fold_on(20, 10)) == DEFAULT_STEP_S == 4 * 0.0025 / 350
+def test_the_products_own_step_is_five_tract_sections_on_the_papers_grid():
+    assert time_step_s(Run(), fold_on(20, 10)) == DEFAULT_STEP_S == 5 * (0.0025 / 350)
 
 
 @pytest.mark.parametrize(("nx", "ny"), [(20, 20), (20, 40), (80, 10), (30, 60)])

@@ -6,7 +6,8 @@ import pytest
 from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin
 from vfcore.assemble import beam, membrane, with_constants
 from vfcore.march import March
-from vfcore.params import DEFAULT_STEP_S
+from vfcore.params import DEFAULT_STEP_S, Run
+from vfcore.stability import time_step_s
 from vfcore.statics import static_shape_of
 
 POSTURES = {
@@ -41,9 +42,10 @@ def test_the_direct_solve_equals_the_twins_relaxation(posture, shear):
 def test_the_direct_solve_equals_the_products_own_damped_motion_from_flat(posture, shear):
     fold, _ = product_and_twin(**posture, shear=shear)
     shape, heavy = static_shape_of(fold), with_constants(fold, C_coup_pa_s_m=150.0, C_foun_pa_s=40.0)
-    march = March(heavy, DEFAULT_STEP_S, 0.0)
+    step = time_step_s(Run(), heavy)
+    march = March(heavy, step, 0.0)
     march.start_flat()
-    advance(march, round(0.5 / DEFAULT_STEP_S))
+    advance(march, round(0.5 / step))
     length = fold.coefficients.length_m
     assert np.abs(membrane(march.buffer, fold) - shape.w_m).max() < 1e-6 * length
     assert np.abs(beam(march.buffer, fold) - shape.w_b).max() < 1e-6 * length

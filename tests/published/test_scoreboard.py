@@ -17,9 +17,10 @@ from vocalis_paper.run_document import READINGS, score_variant
 from vocalis_paper.run_score import definitions_hash
 from vocalis_paper.study import changes
 
-#: What the variant "paper" has reached; a claim may get better, not worse, without a word here.
-PASSED = {"S1", "S2", "S5", "S6", *(f"M{k}" for k in range(1, 10)), "A2", "A3", "A4", "A5", "A6", "P1", "T1"}
-HELD = {"S3", "S4", "A1", "A7", "A8", "P2", "P4"}
+#: What the variant "paper" has reached; a claim may get better, not worse, without a word here. P1 stands within one
+#: phase of the cycle of its bound, 75 %: it passed under model 4 and does not under 3 and 5.
+PASSED = {"S1", "S2", "S5", "S6", *(f"M{k}" for k in range(1, 10)), "A2", "A3", "A4", "A5", "A6", "T1"}
+HELD = {"S3", "S4", "A1", "A7", "A8", "P1", "P2", "P4"}
 MANY_RUNS = {key for key, claim in CLAIMS.items() if {CASES[n].kind for n in claim.needs} & {"map", "sweep"}}
 #: Wall time is that of the machine.
 QUICK = {key: CLAIMS[key] for key in CLAIMS if key not in MANY_RUNS and key != "T1"}

@@ -19,6 +19,7 @@ CASES_PER_CALL = int(os.environ.get("VOCALIS_SCHEMA_CASES", 33))  # of each kind
 target = pytest.fixture(served, scope="module")
 
 
+@pytest.mark.first
 def test_a_thousand_generated_requests_find_no_undeclared_answer(target):
     seen: Counter[tuple[str, int]] = Counter()
     for operation in (found.ok() for found in api.get_all_operations()):

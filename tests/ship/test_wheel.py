@@ -37,6 +37,7 @@ def test_the_wheel_holds_page_and_data_under_names_that_collide_with_nothing(whe
     assert all(name == "vfcore" or name.startswith("vocalis_") for name in top), top
 
 
+@pytest.mark.first
 def test_the_wheel_in_an_empty_environment_serves_the_page(wheel, tmp_path):
     environment = tmp_path / "env"
     subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)

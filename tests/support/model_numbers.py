@@ -34,6 +34,8 @@ NUMBERS = (
     ("vfcore.acoustics.tract", "ATTENUATION", "1", "loss per crossing: this × section length / √area"),
     ("vfcore.acoustics.impulse_response", "FAR_DISTANCE_M", "m", "distance of the free-field pressure"),
     ("vfcore.acoustics.impulse_response", "LEFT_OUT_ENERGY", "1", "energy left where the impulse response ends"),
+    ("vfcore.acoustics.impulse_response", "HALF_WIDTH", "1", "samples to either side that the flow is read from"),
+    ("vfcore.acoustics.impulse_response", "KAISER_BETA", "1", "shape of the window of that interpolation"),
     ("vfcore.measures.phonation", "MIN_AREA_SWING_M2", "m²", "smallest area swing that counts as phonation"),
     ("vfcore.measures.phonation", "MIN_RELATIVE_SWING", "1", "the same, relative to the mean area"),
     ("vfcore.measures.phonation", "STEADY_RATIO", "1", "fall (rise) per quarter of the window that is dying out"),

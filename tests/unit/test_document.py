@@ -71,7 +71,7 @@ def test_the_provenance_is_enough_to_run_it_again(modal):
     provenance = result_document(modal)["provenance"]
     again = simulate(simulation_from_dict(json.loads(json_text(provenance["request"]))))
     assert np.array_equal(again.arrays["glottal_flow_m3_s"], modal.arrays["glottal_flow_m3_s"])
-    assert provenance["time_step_s"] == pytest.approx(0.0025 / 350 * 4)
+    assert provenance["time_step_s"] == pytest.approx(0.0025 / 350 * 5)
 
 
 def test_what_is_missing_says_why():

@@ -104,7 +104,7 @@ def test_a_time_step_is_positive_and_short(bad):
 def test_the_steps_are_whole_travels_through_a_tract_section():
     assert SECTION_TRAVEL_S == 0.0025 / 350
     assert abs(PAPER_STEP_S - 1.7857142857142857e-6) < 1e-20
-    assert DEFAULT_STEP_S == 4 * SECTION_TRAVEL_S
+    assert DEFAULT_STEP_S == 5 * SECTION_TRAVEL_S
     assert Run().step_s == DEFAULT_STEP_S and Run(time_step_s=PAPER_STEP_S).step_s == PAPER_STEP_S
 
 

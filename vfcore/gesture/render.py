@@ -41,7 +41,7 @@ class Segment:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RenderedGesture:
-    """``waves``: (n,) each at 35 kHz, names as in a simulation's arrays. ``contours``: (blocks,) each, one value per
+    """``waves``: (n,) each at 28 kHz, names as in a simulation's arrays. ``contours``: (blocks,) each, one value per
     10 ms: time_s, fo_hz, spl_lips_db, spl_30cm_db, strain, glottal_half_angle_rad, length_m, and each moving number by
     its path. ``audio_pa``: 48 kHz, Pa, late by ``audio_delay_s``."""
 

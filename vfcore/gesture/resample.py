@@ -1,4 +1,4 @@
-"""From the step's 35 kHz to the 48 kHz of sound cards, block by block, with the filter of ``vfcore.audio``."""
+"""From the step's 28 kHz to the 48 kHz of sound cards, block by block, with the filter of ``vfcore.audio``."""
 
 from fractions import Fraction
 
@@ -17,7 +17,7 @@ class Resampler:
         ratio = Fraction(AUDIO_RATE_HZ / sample_rate_hz).limit_denominator(1000)
         self._up, self._down = ratio.numerator, ratio.denominator
         if block * self._up % self._down:
-            raise ParameterError("block", f"{block} samples make no whole number at {AUDIO_RATE_HZ} Hz", "350")
+            raise ParameterError("block", f"{block} samples make no whole number at {AUDIO_RATE_HZ} Hz", "280")
         taps = low_pass(self._up, float(min(1, ratio))) * self._up
         reach = -(-len(taps) // self._up)
         padded = np.zeros(reach * self._up)

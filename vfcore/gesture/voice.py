@@ -18,12 +18,12 @@ from vfcore.march import March
 from vfcore.params import DEFAULT_STEP_S, Simulation
 from vfcore.simulate import posture_of, prepare
 
-BLOCK_STEPS = 350  # 10 ms at the default step: a whole number of audio samples (480)
+BLOCK_STEPS = 280  # 10 ms at the default step: a whole number of audio samples (480)
 BLOCK_S = BLOCK_STEPS * DEFAULT_STEP_S
 
 
 class Block(NamedTuple):
-    """10 ms of voice: ``record`` (350, 7) of layout.RECORD; lip and 0.3 m pressure (350,), Pa, the latter None unless
+    """10 ms of voice: ``record`` (280, 7) of layout.RECORD; lip and 0.3 m pressure (280,), Pa, the latter None unless
     asked for; lip pressure at 48 kHz (480,), Pa, late by ``Voice.audio_delay_s``."""
 
     record: np.ndarray

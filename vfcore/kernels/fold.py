@@ -4,8 +4,9 @@ Scheme (see docs/model.md, "Time stepping"). Velocities live on half steps:
 
     v^{n+½} = v^{n−½} + dt a(w^n, v*),   w^{n+1} = w^n + dt v^{n+½},   v* = v^{n−½} + ½ (v^{n−½} − v^{n−3/2})
 
-v* extrapolates the velocity to time n, so every damper is second order. The beam takes the
-trapezoidal rule for its own stiffness A (tension, bending, end moments, per mass):
+v* extrapolates the velocity to time n, so every damper is second order. The membrane's displacement has one term more
+(kernels/displacement.py), and the forces write it to a second field, for neighbours still need the first: the two take
+turns. The beam takes the trapezoidal rule for its own stiffness A (tension, bending, end moments, per mass):
 
     (w_b^{n+1} − 2 w_b^n + w_b^{n−1})/dt² = (I − dt²A/4)⁻¹ (A w_b^n + f/ρ_l)
 
@@ -31,6 +32,7 @@ import math
 from functools import lru_cache
 
 from vfcore.kernels import airways, contact, flow, membrane
+from vfcore.kernels.displacement import displaced
 from vfcore.kernels.jit import inlined
 from vfcore.kernels.lanes import all_of, each, lane, load, maximum, minimum, spread, store, total, where
 from vfcore.kernels.layout import LANES, RECORD, Layout
@@ -50,7 +52,7 @@ COLUMNS = len(RECORD)
 #: A displacement beyond this is no larynx any more; NaN and inf count as beyond.
 LARGEST_DISPLACEMENT_M = 0.02
 #: Recorded samples, 5 ms, between two looks at the largest displacement.
-LOOK_SAMPLES = 175
+LOOK_SAMPLES = 140
 
 
 @lru_cache(maxsize=32)
@@ -70,7 +72,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
     P = W if many else 1
     L = Layout(nx, ny, W, P)
     S, C1, END, NB = L.stride, L.first, L.first + L.worked, nx - 2
-    WM, V, VS, G = L.field("w"), L.field("v"), L.field("v_star"), L.field("G")
+    WM, NEXT, V, VS, G = L.field("w"), L.field("w_next"), L.field("v"), L.field("v_star"), L.field("G")
     PH, VPH, VPHS = L.field("phi"), L.field("vphi"), L.field("vphi_star")
     K, ROWS, BLOCK = L.K_coup // P, ny * W, L.block
     R, M, I = L.scratch("square"), L.scratch("running_min"), L.scratch("viscous")
@@ -94,7 +96,9 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
         G_m, eta_m = each(par, 15, P, W), each(par, 16, P, W)
         six_mu_a_dy, per_dy, four_per_dt2 = 0.5 * twelve_mu_a * dy, 1.0 / dy, 4.0 / (dt * dt)
         zero, far = spread(0.0, buf, W), spread(1.0, buf, W)
+        turning = dt * per_J * per_dy
         beyond, look_every = zero, LOOK_SAMPLES * record_every
+        now, later = WM, NEXT  # where the displacements stand, and where the next ones go; in turn
 
         for n in range(P_s_of.size // P):
             P_s = each(P_s_of, n, P, W)
@@ -104,7 +108,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
             if air is not None:
                 sweeps, drop = 2, max(abs(air[DROP]), SMALLEST_DROP_PA)
 
-            moved, y_1, y_2 = C1, zero, zero
+            y_1, y_2 = zero, zero
             for sweep in range(sweeps):
                 area, flow_rate = zero, zero
                 for first in range(C1, END, BLOCK * W):
@@ -117,9 +121,9 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                         for k in range(0, ny, 2):  # rows in pairs
                             j = ny - 1 - k
                             o, to = j * S + i, here + j * W
-                            half, half_next = load(buf, G + o, W) - load(buf, WM + o, W), far
+                            half, half_next = load(buf, G + o, W) - load(buf, now + o, W), far
                             if j > 0:
-                                half_next = load(buf, G + o - S, W) - load(buf, WM + o - S, W)
+                                half_next = load(buf, G + o - S, W) - load(buf, now + o - S, W)
                             r, r_next = reciprocals(above_zero(half), above_zero(half_next))
                             smallest, largest_half = minimum(half, smallest), maximum(half, largest_half)
                             if k > 0:
@@ -169,7 +173,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                         if i == HELD:  # at rest, yet the folds may touch there
                             touched = zero
                             for j in range(ny):
-                                met = touching(load(buf, WM + j * S + i, W), load(buf, G + j * S + i, W))
+                                met = touching(load(buf, now + j * S + i, W), load(buf, G + j * S + i, W))
                                 touched = where(met, touched + (0.5 if j == 0 or j == ny - 1 else 1.0), touched)
                             contact_area = contact_area + touched * load(buf, WIDTH + i, W) * dy
                             continue
@@ -180,9 +184,8 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                         closed = many or not all_of(half_min * per_change > 0.5)  # of many folds some nearly always are
                         w_b, beam_damper = load(buf, WB + i, W), C_coup * load(buf, VBS + i, W)
                         inverse = dt * load(buf, INV + i, W)
-                        three_halves = 1.5 * inverse
                         slice_largest, touched, to_beam, flux_below = zero, zero, zero, zero
-                        w, v = load(buf, WM + (ny - 1) * S + i, W), load(buf, VS + (ny - 1) * S + i, W)
+                        w, v = load(buf, now + (ny - 1) * S + i, W), load(buf, VS + (ny - 1) * S + i, W)
                         shear = kelvin_voigt(w, v, G_t, eta_t)
                         for k in range(ny):
                             j = ny - 1 - k
@@ -204,28 +207,29 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                             to_beam = to_beam + (0.5 if edge else 1.0) * traction
                             w_next, v_next, shear_next, flux = w, v, shear, zero
                             if j > 0:
-                                w_next, v_next = load(buf, WM + o - S, W), load(buf, VS + o - S, W)
+                                w_next, v_next = load(buf, now + o - S, W), load(buf, VS + o - S, W)
                                 shear_next = kelvin_voigt(w_next, v_next, G_t, eta_t)
                                 flux = shear - shear_next
                                 if rotation:
                                     h = o - S  # φ on the half node between rows j−1 and j
-                                    turn, rate = dy * load(buf, PH + h, W), dy * load(buf, VPHS + h, W)
+                                    phi, vphi = load(buf, PH + h, W), load(buf, VPH + h, W)
+                                    vphi_star = load(buf, VPHS + h, W)
+                                    turn, rate = dy * phi, dy * vphi_star
                                     flux = flux - kelvin_voigt(turn, rate, G_t, eta_t)
                                     moment = kelvin_voigt(w - w_next - turn, v - v_next - rate, G_m, eta_m)
-                                    d_vphi = dt * per_J * per_dy * moment
-                                    vphi = load(buf, VPH + h, W) + d_vphi
-                                    store(buf, VPH + h, vphi)
-                                    store(buf, VPHS + h, vphi + 0.5 * d_vphi)
-                                    store(buf, PH + h, load(buf, PH + h, W) + dt * vphi)
+                                    store(buf, VPH + h, vphi + turning * moment)
+                                    store(buf, VPHS + h, vphi + 1.5 * turning * moment)
+                                    store(buf, PH + h, displaced(phi, vphi, vphi_star, turning, moment, dt))
                             if k == 0:
                                 flux_below = 0.0 - flux
                             if j == 0:
                                 flux = 0.0 - flux_below
-                            along = tension(load(buf, WM + o - P, W), w, load(buf, WM + o + P, W), T)
+                            along = tension(load(buf, now + o - P, W), w, load(buf, now + o + P, W), T)
                             force = along + (flux_below - flux - traction - p_col - p_aero)
                             before = load(buf, V + o, W)
                             store(buf, V + o, before + inverse * force)
-                            store(buf, VS + o, before + three_halves * force)
+                            store(buf, VS + o, before + 1.5 * inverse * force)
+                            store(buf, later + o, displaced(w, before, v, inverse, force, dt))
                             flux_below, w, v, shear = flux, w_next, v_next, shear_next
 
                         # beam: load per mass, ready for the implicit product
@@ -240,14 +244,6 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                             slice_largest = where(load(buf, INV + i, W) > 0.0, slice_largest, 0.0)
                             column = where(slice_largest > largest, load(buf, COLUMN + i, W), column)
                             largest = maximum(slice_largest, largest)
-
-                    # displacement of columns that no neighbour needs any more, while they are in the cache
-                    if first + BLOCK * W < END:
-                        for i in range(moved, first + (BLOCK - 1) * W, W):
-                            for j in range(ny):
-                                o = j * S + i
-                                store(buf, WM + o, load(buf, WM + o, W) + dt * load(buf, V + o, W))
-                        moved = first + (BLOCK - 1) * W
                 if air is not None and sweep == 0:
                     passed = total(flow_rate)
                     share = viscous_share(passed, total(slope), drop)
@@ -279,7 +275,7 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                     store(record, row * W + 5 * W, P_s)
                     store(record, row * W + 6 * W, zero)
 
-            # displacement of the beam, then of the columns of the membrane that are left
+            # displacement of the beam
             near, far_off = zero, zero  # what the node behind takes from the last one, and the one behind that
             for first in range(C1, HELD, W):
                 i = C1 + HELD - W - first
@@ -299,15 +295,17 @@ def step_kernel(nx: int, ny: int, rotation: bool, precision: str = "float64", ma
                 store(buf, VB + i, new)
                 store(buf, VBS + i, new + 0.5 * dv)
                 store(buf, WB + i, w_b + dt * new)
-            for i in range(moved, HELD, W):
-                for j in range(ny):
-                    o = j * S + i
-                    store(buf, WM + o, load(buf, WM + o, W) + dt * load(buf, V + o, W))
+            now, later = later, now
 
             if (n + 1) % look_every == 0 or n + 1 == P_s_of.size // P:
                 for j in range(ny):
                     for i in range(C1, END, W):
-                        beyond = where(size(load(buf, WM + j * S + i, W)) < LARGEST_DISPLACEMENT_M, beyond, 1.0)
+                        beyond = where(size(load(buf, now + j * S + i, W)) < LARGEST_DISPLACEMENT_M, beyond, 1.0)
+        for j in range(ny):  # in both places: what is kept does not depend on how many steps went before
+            for i in range(C1, END, W):
+                w = load(buf, now + j * S + i, W)
+                store(buf, WM + j * S + i, w)
+                store(buf, NEXT + j * S + i, w)
         store(buf, BEYOND, beyond)
 
     return advance

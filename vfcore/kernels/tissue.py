@@ -200,6 +200,6 @@ def longest_step(rotation, dx, dy, T, G_t, eta_t, rho_s, J, b, rho_l, K_coup, c)
 
 @formula
 def _critical_step(omega2, rate):
-    """The step at which s + 4a = 4, s; infinite for a mode without spring and damper."""
-    weight = rate + math.sqrt(rate**2 + omega2)
+    """The step at which s/3 + a = 1, s; infinite for a mode without spring and damper."""
+    weight = rate + math.sqrt(rate**2 + 4.0 / 3.0 * omega2)
     return 2.0 / weight if weight > 0.0 else math.inf

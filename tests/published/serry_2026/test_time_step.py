@@ -1,13 +1,13 @@
 """What the product's long step costs in accuracy, against the paper's step of 1.786 µs.
 
-Claims, from 365 regular postures (median / 90th percentile): f_o .003/.007 %, CQ .0003/.0011, mean flow .011/.052 %,
-largest contact pressure .07/.20 %. SQ is ill-conditioned in places and has no tight tolerance.
+Claims, from 278 random postures with a periodic voice (median / 90th percentile): f_o .0006/.0017 %, CQ 0/.0002, mean
+flow .018/.046 %, largest contact pressure .06/.09 %. SQ is ill-conditioned in places and has no tight tolerance.
 """
 
 import numpy as np
 import pytest
 
-from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S
+from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, SECTION_TRAVEL_S
 
 POSTURES = [
     {},
@@ -18,11 +18,11 @@ POSTURES = [
     {"lca": 1.0, "ia": 1.0, "ct": 0.3, "ta": 0.6},
     {"lca": 0.8, "ia": 0.8, "ct": 0.8, "ta": 0.1},
 ]
-#: measure: (relative, half of the cases within, all within), with room for a sample of 7 for 365
+#: measure: (relative, half of the cases within, all within), with room for a sample of 7 for 278
 CLAIMS = {
-    "fo_hz": (True, 6e-5, 2e-4),
+    "fo_hz": (True, 2e-5, 5e-5),
     "closed_quotient": (False, 6e-4, 2e-3),
-    "mean_flow_ml_s": (True, 3e-4, 1e-3),
+    "mean_flow_ml_s": (True, 5e-4, 1e-3),
     "contact_pressure_max_pa": (True, 1.5e-3, 4e-3),
     "speed_quotient": (True, 1e-2, 4e-2),
 }
@@ -50,10 +50,9 @@ def test_four_times_the_papers_step_changes_nothing_that_matters(voice):
     assert four["mean_flow_ml_s"].value == pytest.approx(one["mean_flow_ml_s"].value, rel=1e-3)
 
 
-def test_twice_the_products_step_still_gives_the_pitch_to_a_part_in_two_thousand(voice):
-    """f_o .012 % (median) at 57 µs."""
-    double, one = voice(time_step_s=2 * DEFAULT_STEP_S), voice(time_step_s=PAPER_STEP_S)
-    assert double.report.measures["fo_hz"].value == pytest.approx(one.report.measures["fo_hz"].value, rel=5e-4)
+def test_a_step_of_57_microseconds_still_gives_the_pitch_to_a_part_in_ten_thousand(voice):
+    long, one = voice(time_step_s=8 * SECTION_TRAVEL_S), voice(time_step_s=PAPER_STEP_S)
+    assert long.report.measures["fo_hz"].value == pytest.approx(one.report.measures["fo_hz"].value, rel=1e-4)
 
 
 def test_the_source_spectrum_is_the_same_to_eight_kilohertz(voice):
