@@ -134,9 +134,10 @@ def test_the_root_mean_square_is_about_the_mean(count):
 
 
 def test_frames_of_the_cepstrum_are_those_of_the_twin():
-    wave, window, frames = 2.0 + rng(3).normal(size=100), np.hamming(32), np.empty((5, 32))
+    wave, window, frames = 2.0 + rng(3).normal(size=100), np.hamming(32), np.full((5, 36), 9.0)
     windowed_frames(wave, window, 17, frames)
-    np.testing.assert_allclose(frames, twin.windowed_frames(wave, window, 17), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(frames[:, :32], twin.windowed_frames(wave, window, 17), rtol=0, atol=1e-14)
+    assert (frames[:, 32:] == 9.0).all()
 
 
 def test_the_power_is_relative_to_each_frame_and_has_a_floor():

@@ -5,6 +5,7 @@ import pytest
 
 from tests.support.synthetic_waves import MM2, raised_pulse, signals_from, steady_phase, times, triangle
 from vfcore.measures import measure_all
+from vfcore.measures.spectrum import cepstral_peak_prominence_db
 
 T = times()
 
@@ -65,15 +66,16 @@ def harmonics(fo_hz):
     return sum(tone(k * fo_hz) for k in range(1, int(10_000 / fo_hz) + 1))
 
 
-def naive_cepstral_peak_prominence(wave):
+def naive_cepstral_peak_prominence(wave, length=1792, filled=1792, band=512):
     """Hillenbrand et al. (1994) frame by frame: 51.2 ms, Hamming, to 10 kHz, line from 1 ms on, peak 60 to 500 Hz."""
-    length, prominences = 1792, []
-    for begin in range(0, len(wave) - length + 1, 896):
+    prominences = []
+    for begin in range(0, len(wave) - length + 1, length // 2):
         frame = wave[begin : begin + length]
-        line_level = 10 * np.log10(np.abs(np.fft.fft((frame - frame.mean()) * np.hamming(length))[:513]) ** 2)
-        symmetric = np.concatenate([line_level, line_level[-2:0:-1]])  # 1024 lines, 0 to 20 kHz
-        cepstrum = 20 * np.log10(np.abs(np.fft.ifft(symmetric)))[:513]
-        quefrency = np.arange(513) * 50e-6
+        lines = np.fft.fft((frame - frame.mean()) * np.hamming(length), filled)[: band + 1]
+        line_level = 10 * np.log10(np.abs(lines) ** 2)
+        symmetric = np.concatenate([line_level, line_level[-2:0:-1]])  # 0 to 20 kHz
+        cepstrum = 20 * np.log10(np.abs(np.fft.ifft(symmetric)))[: band + 1]
+        quefrency = np.arange(band + 1) * 50e-6
         line = np.polyval(np.polyfit(quefrency[20:], cepstrum[20:], 1), quefrency)
         voice = (quefrency >= 1 / 500) & (quefrency <= 1 / 60)
         peak = np.flatnonzero(voice)[np.argmax(cepstrum[voice])]
@@ -88,6 +90,26 @@ def test_cepstral_peak_prominence_follows_its_definition(fo_hz, share_of_noise):
     sound = harmonics(fo_hz) + share_of_noise * noise * np.std(harmonics(fo_hz))
     expected = naive_cepstral_peak_prominence(sound[len(T) // 2 :])
     assert voiced(fo_hz, far_pressure_pa=sound)["cpp_db"].value == pytest.approx(expected, abs=1e-6)
+
+
+@pytest.mark.parametrize("fo_hz", [80.0, 149.6, 333.3])
+def test_cepstral_peak_prominence_at_the_rate_of_a_run_is_that_of_its_definition(fo_hz):
+    """28 kHz, where a frame has 1434 samples and is filled up."""
+    time, noise = times(0.5, 28_000.0), np.random.default_rng(6).standard_normal(14_000)
+    pulses = sum(np.cos(2 * np.pi * k * fo_hz * time) for k in range(1, int(10_000 / fo_hz) + 1))
+    sound = pulses + 0.3 * noise * np.std(pulses)
+    expected = naive_cepstral_peak_prominence(sound, 1434, filled=1470, band=525)
+    assert cepstral_peak_prominence_db(sound, 28_000.0) == pytest.approx(expected, abs=1e-6)
+
+
+def test_cepstral_peak_at_a_rate_that_suits_no_transform():
+    """At 24.611 kHz no line falls on 10 kHz; the definition's own lengths are taken."""
+    rate = 24_611.0
+    time = times(0.5, rate)
+    sound = sum(np.cos(2 * np.pi * k * 150 * time) for k in range(1, 66))
+    sound = sound + 0.3 * np.std(sound) * np.random.default_rng(7).standard_normal(len(time))
+    expected = naive_cepstral_peak_prominence(sound, 1260, filled=1260, band=511)
+    assert cepstral_peak_prominence_db(sound, rate) == pytest.approx(expected, abs=0.5)
 
 
 @pytest.mark.parametrize("fo_hz", [80.0, 120.0, 200.0, 280.0])

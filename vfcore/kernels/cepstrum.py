@@ -9,8 +9,9 @@ from vfcore.kernels.jit import jit
 
 @jit
 def windowed_frames(wave, window, hop, frames):
-    """Fill ``frames`` (count, length) with stretches of ``wave`` ``hop`` apart, about their means, windowed."""
-    count, length = frames.shape
+    """Fill the first len(window) of each of ``frames`` with stretches of ``wave`` ``hop`` apart, about their means,
+    windowed."""
+    count, length = len(frames), len(window)
     for f in range(count):
         stretch, mean = wave[f * hop : f * hop + length], 0.0
         for k in range(length):
