@@ -89,7 +89,7 @@ def test_the_whole_run_opens_to_zoom(visit):
     here.page.get_by_role("button", name="Zoom").click()
     here.page.wait_for_selector(".plotly-place .main-svg")
     points = here.page.evaluate("document.querySelector('.plotly-place').data.map((trace) => trace.y.length)")
-    assert points == [17500] * 5
+    assert points == [14000] * 5
     assert here.page.locator(".plotly-place .scatterlayer .js-line").count() == 5
     buttons = here.page.locator(".modebar-btn").evaluate_all("all => all.map((button) => button.dataset.title)")
     assert "Download plot as a PNG" in buttons
