@@ -72,17 +72,21 @@ def test_paper_step_equals_four_interleaved_tubes():
     assert_same(radiate(flow, PAPER_STEP_S, A).lip_pressure_pa, expected)
 
 
-@pytest.mark.parametrize("ratio", [3.7, 0.61, 1 / 3, 14.0])
+@pytest.mark.parametrize("ratio", [3.7, 0.61, 1 / 3, 14.0, 17.0])
 def test_any_step_equals_the_tube_stepped_back_from_that_instant(ratio):
     flow = some_flow(9000)
     step = ratio * TRAVEL
     sound = radiate(flow, step, A)
-    between = smooth(flow, step, min(6, int(68 / ratio) + 1))  # no further ahead than the sound travels
-    for m in (100, 2345, 8999):
-        back = np.arange(int((m + 7) * ratio) + 2)[::-1] * TRAVEL  # the tube's clock, ending at the instant m
+    # No further ahead than sound travels, less the two sections that the flow's rate looks ahead.
+    between = smooth(flow, step, min(6, int(66 / ratio) + 1))
+    for m in (100, 2345, 8990):
+        back = np.arange(-2, int((m + 9) * ratio))[::-1] * TRAVEL  # the tube's clock, to two sections beyond m
         instants = m * step - back
         heard = stepped(np.where(instants < -6 * step, 0.0, between(instants)), A)
-        assert abs(sound.lip_pressure_pa[m] - heard.lip_pressure_pa[-1]) < 1e-9 * np.abs(sound.lip_pressure_pa).max()
+        assert abs(sound.lip_pressure_pa[m] - heard.lip_pressure_pa[-3]) < 1e-9 * np.abs(sound.lip_pressure_pa).max()
+        rate = np.array([1, -8, 0, 8, -1]) / 12 @ heard.mouth_flow_m3_s[-5:] / TRAVEL
+        far = 1.14 / (4 * np.pi * FAR_DISTANCE_M) * rate
+        assert abs(sound.far_pressure_pa[m] - far) < 1e-9 * np.abs(sound.far_pressure_pa).max()
 
 
 def pulses(time):

@@ -93,7 +93,8 @@ def response_at(tract: Tract, time_step_s: float) -> np.ndarray:
     place = np.arange(lip_pressure.size) * (tract.section_travel_s / time_step_s)
     before = np.floor(place).astype(np.int64)
     share = place - before
-    ahead = min(HALF_WIDTH - 1, max(1, int(before[len(tract.areas_m2)])))
+    arrives = len(tract.areas_m2) - len(_CENTRAL_DIFFERENCE) // 2  # in the far pressure, whose rate looks ahead
+    ahead = min(HALF_WIDTH - 1, max(1, int(before[arrives])))
     taps = before[-1] + 2 * (ahead + 1)
     folded = np.zeros((3, taps))
     for nth, weight in enumerate(_weights(share, ahead + 1)):

@@ -97,7 +97,6 @@ class Layout:
 # State: displacement, velocity at the half step, velocity extrapolated to the time of the displacement; phi likewise.
 # Scratch: displacement after the step. Fixed: medial plane G.
 FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star", "w_next", "G")
-STATE_FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star")
 # State of the beam. Scratch: its load. Fixed: load of the end moments, 1/ρ_s, width of the slice, number of the column;
 # of many folds the factors of I − dt²A/4 (kernels/banded.py), 1/D, a and c.
 # What the last steps saw: displacements beyond all bounds; the smallest half gap of each slice.
