@@ -61,7 +61,7 @@ def _serving(app) -> Iterator[Live]:
         thread.join()
 
 
-def wait_until(condition, seconds: float = 20) -> None:
+def wait_until(condition, seconds: float = 60) -> None:
     """Return when ``condition()`` holds; fail when it never does."""
     deadline = time.monotonic() + seconds
     while not condition():
