@@ -18,8 +18,8 @@ from vfcore.params import SECTION_TRAVEL_S
 STEP_S = SECTION_TRAVEL_S
 
 contact_pressure = contact.contact_pressure
-gap, is_open, opening, square, cube = flow.gap, flow.is_open, flow.opening, flow.square, flow.cube
-separation_gap, viscous_segment, viscous_drop = flow.separation_gap, flow.viscous_segment, flow.viscous_drop
+gap, is_open, opening, square = flow.gap, flow.is_open, flow.opening, flow.square
+separation_gap, half_segment, viscous_drop = flow.separation_gap, flow.half_segment, flow.viscous_drop
 flux_root, slice_flux, pressure = flow.flux_root, flow.slice_flux, flow.pressure
 tension, coupling, kelvin_voigt = membrane.tension, membrane.coupling, membrane.kelvin_voigt
 
@@ -59,7 +59,8 @@ def _slice_pressure(w, G, i, k, p, d):
         j_sep -= 1
     integral = 0.0
     for j in range(ny - 2, j_sep - 1, -1):
-        integral += viscous_segment(cube(1.0 / d[j + 1]), cube(1.0 / d[j]))
+        for r in (1.0 / d[j + 1], 1.0 / d[j]):
+            integral = half_segment(integral, square(r), r)
     six_mu_a_dy = 0.5 * k.twelve_mu_a * k.dy
     Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
     q = slice_flux(k.P_s, d_min, d_sep, 1.0 / (Bd + flux_root(k.P_s, Bd, k.half_rho_a)))
@@ -68,7 +69,8 @@ def _slice_pressure(w, G, i, k, p, d):
         on_the_lung_side = j > j_sep or (not is_open(d_min) and j == j_sep)
         p[j] = pressure(k.P_s, q, square(1.0 / d[j]), integral, k.half_rho_a, six_mu_a_dy) if on_the_lung_side else 0.0
         if j > 0:
-            integral += viscous_segment(cube(1.0 / d[j]), cube(1.0 / d[j - 1]))
+            for r in (1.0 / d[j], 1.0 / d[j - 1]):
+                integral = half_segment(integral, square(r), r)
     return opening(d_min), q
 
 

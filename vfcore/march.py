@@ -1,6 +1,6 @@
 """A fold in motion: the state and the loop that advances it in chunks.
 
-Chunks of 20 ms of voice or less keep progress real and cancel prompt.
+Chunks of 40 ms of voice or less keep progress real and cancel prompt.
 """
 
 import math
@@ -18,7 +18,7 @@ from vfcore.kernels.surface import surface_pressures
 from vfcore.params import DEFAULT_STEP_S
 from vfcore.statics import StaticShape
 
-CHUNK_S = 20e-3
+CHUNK_S = 40e-3
 #: Fine grids and short steps take shorter chunks: this many nodes times steps are some 10 ms of work.
 CHUNK_NODE_STEPS = 5e6
 FLAT_BUMP_M = 1e-9  # the start of an earlier version of the model

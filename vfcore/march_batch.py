@@ -63,7 +63,7 @@ def march_many(
 ) -> Iterator[tuple[int, Outcome]]:
     """March all and yield (index, outcome) as batches finish; a batch is marched when its first outcome is asked for.
 
-    ``progress(fraction)`` of all steps is told, and ``stop()`` asked, between chunks of 20 ms of voice or less;
+    ``progress(fraction)`` of all steps is told, and ``stop()`` asked, between chunks of 40 ms of voice or less;
     Cancelled is raised when it answers true. The step holds no GIL: several threads may march at a time.
     """
     precision = "float32" if single_precision else "float64"
@@ -98,6 +98,7 @@ class _Batch:
         self.problems: list[DivergenceError | None] = [None] * len(motions)
         self.layout = Layout(first.nx, first.ny, self.folds, self.folds)
         self.buffer = assemble.empty_buffer(self.layout, precision)
+        self._beyond = assemble.beyond(self.buffer, self.layout)[: len(motions)]
         self.scalars = np.empty((len(SCALARS), self.folds), precision)
         filled = [*motions, *[motions[0]] * (self.folds - len(motions))]
         for place, motion in enumerate(filled):
@@ -107,6 +108,7 @@ class _Batch:
         self._advance = step_kernel(first.nx, first.ny, first.rotation, precision, many=True)
         self._before = self.buffer.copy()
         self._pressure_pa = np.array([motion.pressure_pa for motion in filled])
+        self._steady_pa = np.empty((0, self.folds), precision)
         self._rise_s = np.array([motion.rise_s for motion in filled])
 
     def _start(self, place: int, motion: Motion) -> None:
@@ -151,29 +153,31 @@ class _Batch:
         first = first_sample * self.record_every
         steps = np.arange(first, first + len(record) * self.record_every)
         self._step(self.buffer, steps, self.record_every, record)
-        beyond = assemble.beyond(self.buffer, self.layout)
-        fresh = [place for place, problem in enumerate(self.problems) if problem is None and beyond[place]]
+        fresh = [place for place in np.flatnonzero(self._beyond) if self.problems[place] is None]
         if fresh:
             self._locate(fresh, self._before, steps)
 
     def _step(self, buffer: np.ndarray, steps: np.ndarray, every: int, record: np.ndarray) -> None:
-        pressures = np.empty((len(steps), self.folds), buffer.dtype)
-        pressures[:] = self._pressure_pa
-        rising = np.flatnonzero(self._rise_s > steps[0] * self.time_step_s)
-        if rising.size:
-            pressures[:, rising] *= np.minimum(steps[:, None] * self.time_step_s / self._rise_s[rising], 1.0)
+        pressures = self._pressures_at(steps)
         self._advance(buffer, self.scalars.reshape(-1), pressures.reshape(-1), every, record.reshape(-1))
 
-    def _beyond(self, buffer: np.ndarray) -> np.ndarray:
-        """Where (ny, nx, folds) the displacement has left the bounds; NaN has."""
-        return ~(np.abs(assemble.membranes(buffer, self.layout)) < LARGEST_DISPLACEMENT_M)
+    def _pressures_at(self, steps: np.ndarray) -> np.ndarray:
+        """Lung pressure (steps, folds), Pa; to be read only."""
+        if len(steps) > len(self._steady_pa):
+            self._steady_pa = np.tile(self._pressure_pa.astype(self.buffer.dtype), (len(steps), 1))
+        pressures = self._steady_pa[: len(steps)]
+        rising = np.flatnonzero(self._rise_s > steps[0] * self.time_step_s)
+        if rising.size:
+            pressures = pressures.copy()
+            pressures[:, rising] *= np.minimum(steps[:, None] * self.time_step_s / self._rise_s[rising], 1.0)
+        return pressures
 
     def _locate(self, places: list[int], buffer: np.ndarray, steps: np.ndarray) -> None:
         """Replay a chunk step by step and note, for each of ``places``, when and where it left the bounds."""
         scratch = np.empty((1, len(RECORD), self.folds), buffer.dtype)
         for step in steps:
             self._step(buffer, np.array([step]), 1, scratch)
-            beyond = self._beyond(buffer)
+            beyond = ~(np.abs(assemble.membranes(buffer, self.layout)) < LARGEST_DISPLACEMENT_M)  # NaN is beyond, too
             for place in [place for place in places if beyond[:, :, place].any()]:
                 fold = self.motions[place].fold
                 self.problems[place] = diverged(fold, self.time_step_s, step, beyond[:, :, place])

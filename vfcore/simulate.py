@@ -88,7 +88,7 @@ def simulate(
     """Run a request; with ``run.error_estimate`` also its two finer companions (vfcore.error_estimate).
 
     ``prepared_by`` makes the folds; other than ``prepare`` only for studies of what the paper leaves open.
-    ``progress(fraction)`` is called after each chunk of at most 20 ms of voice; ``stop()`` is asked before each.
+    ``progress(fraction)`` is called after each chunk of at most 40 ms of voice; ``stop()`` is asked before each.
     Raises ParameterError (StabilityError) for a request that cannot be run, PostureError, DivergenceError,
     Cancelled.
     """

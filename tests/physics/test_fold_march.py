@@ -26,9 +26,9 @@ def modal_march(dt=DEFAULT_STEP_S, pressure_pa=1000.0):
 # ---- progress and cancel ----------------------------------------------------------------------------
 
 
-def test_progress_rises_in_steps_of_twenty_milliseconds_to_exactly_one():
+def test_progress_rises_in_steps_of_forty_milliseconds_to_exactly_one():
     fractions = []
-    vfcore.simulate(Simulation(run=Run(duration_s=0.1)), progress=fractions.append)
+    vfcore.simulate(Simulation(run=Run(duration_s=0.2)), progress=fractions.append)
     assert fractions[-1] == 1.0
     assert len(fractions) == 5
     assert np.diff([0.0, *fractions]) == pytest.approx(0.2, abs=0.001)
@@ -36,7 +36,7 @@ def test_progress_rises_in_steps_of_twenty_milliseconds_to_exactly_one():
 
 def test_a_fine_grid_at_a_short_step_is_looked_at_more_often():
     fractions = []
-    run = Run(duration_s=0.05, nx=80, ny=40, time_step_s=2e-6)  # a chunk of 20 ms would be 0.1 s of work
+    run = Run(duration_s=0.05, nx=80, ny=40, time_step_s=2e-6)  # a chunk of 40 ms would be 0.2 s of work
     with pytest.raises(Cancelled):
         vfcore.simulate(Simulation(run=run), progress=fractions.append, stop=lambda: len(fractions) > 2)
     assert np.diff([0.0, *fractions]) == pytest.approx(5e6 / (80 * 40) * 2e-6 / 0.05, rel=0.01)

@@ -22,4 +22,4 @@ from vfcore.kernels.jit import jit
 @jit
 def displaced(w, v, v_star, inverse, force, dt):
     """w^{n+1} from w^n, v^{n−½} and v* at n; δ^n = ``inverse`` · ``force``, ``inverse`` being dt over the mass."""
-    return w + (7 / 6 * dt * v - 1 / 6 * dt * v_star + 13 / 12 * dt * inverse * force)
+    return w + 7 / 6 * dt * v - 1 / 6 * dt * v_star + 13 / 12 * dt * inverse * force

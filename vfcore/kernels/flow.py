@@ -14,8 +14,8 @@ cancel and, multiplied by d_sep, needs no reciprocal of a gap that may be 0:
 
     q = 2P_s/(B + √(B² + 4AP_s)) = 2P_s d_sep/(B d_sep + √((B d_sep)² + 2ρ_a P_s))
 
-The integral follows the trapezoid rule. What is summed is 1/d³ at both ends of each node spacing; the factor dy/2
-stands in 12 μ_a dy/2 = ``six_mu_a_dy``.
+The integral follows the trapezoid rule. What is summed is 1/d³ at both ends of each node spacing, so each node's twice,
+once on the way to it and once on the way from it; the factor dy/2 stands in 12 μ_a dy/2 = ``six_mu_a_dy``.
 
 ``d_max``, the largest gap of the slice, bounds d_sep: where α_s d_min exceeds every gap of the
 slice the flow separates at the inlet. y_sep is the first node, read from the inlet, whose gap
@@ -41,7 +41,7 @@ not attached, and attached nodes their own.
 """
 
 from vfcore.kernels.jit import jit
-from vfcore.kernels.lanes import maximum, minimum, square_root, where
+from vfcore.kernels.lanes import maximum, minimum, multiply_add, square_root, where
 
 # A reciprocal needs a gap above zero, and its cube must fit single precision. 10 pm is four orders below any gap that
 # passes flow.
@@ -128,15 +128,9 @@ def square(r):
 
 
 @jit
-def cube(r):
-    """1/d³ from 1/d, m⁻³."""
-    return square(r) * r
-
-
-@jit
-def viscous_segment(cube_0, cube_1):
-    """Trapezoid of ∫ dη/d³ over one node spacing, in units of dy/2, from 1/d³ at both ends, m⁻³."""
-    return cube_0 + cube_1
+def half_segment(viscous_sum, per_d2, r):
+    """∫ dη/d³ half a node spacing further, in units of dy/2, m⁻³: by the 1/d³ of the node at this end of it."""
+    return multiply_add(per_d2, r, viscous_sum)
 
 
 @jit

@@ -139,11 +139,21 @@ def square_root(a):
     return np.sqrt(a)
 
 
-def _square_root(builder, a):
-    kind = f"v{a.type.count}" if isinstance(a.type, ir.VectorType) else ""
-    element = a.type.element if kind else a.type
-    name = f"llvm.sqrt.{kind}{'f64' if element == ir.DoubleType() else 'f32'}"
-    return builder.call(cgutils.get_or_insert_function(builder.module, ir.FunctionType(a.type, [a.type]), name), [a])
+def multiply_add(a, b, c):
+    """a b + c, in one operation where the processor has it, even if a b is wanted elsewhere too."""
+    return a * b + c
+
+
+def _intrinsic(name):
+    def emit(builder, *values):
+        kind = values[0].type
+        count = f"v{kind.count}" if isinstance(kind, ir.VectorType) else ""
+        element = "f64" if ir.DoubleType() in (kind, getattr(kind, "element", None)) else "f32"
+        function = ir.FunctionType(kind, [kind] * len(values))
+        called = cgutils.get_or_insert_function(builder.module, function, f"llvm.{name}.{count}{element}")
+        return builder.call(called, values)
+
+    return emit
 
 
 def _function(function, emit, arity, condition=False):
@@ -157,7 +167,8 @@ def _function(function, emit, arity, condition=False):
 _function(maximum, lambda builder, a, b: builder.select(builder.fcmp_ordered(">", a, b), a, b), 2)
 _function(minimum, lambda builder, a, b: builder.select(builder.fcmp_ordered("<", a, b), a, b), 2)
 _function(where, lambda builder, mask, a, b: builder.select(mask, a, b), 2, condition=True)
-_function(square_root, _square_root, 1)
+_function(square_root, _intrinsic("sqrt"), 1)
+_function(multiply_add, _intrinsic("fmuladd"), 3)
 
 
 def load(array, at, count):

@@ -11,14 +11,9 @@ from vfcore.kernels import contact, flow
 from vfcore.kernels.jit import jit
 
 contact_pressure = contact.contact_pressure
-gap, separation_gap, attached, square, cube = flow.gap, flow.separation_gap, flow.attached, flow.square, flow.cube
-is_open, viscous_segment, viscous_drop, flux_root = (
-    flow.is_open,
-    flow.viscous_segment,
-    flow.viscous_drop,
-    flow.flux_root,
-)
-slice_flux, pressure = flow.slice_flux, flow.pressure
+gap, separation_gap, attached, square = flow.gap, flow.separation_gap, flow.attached, flow.square
+is_open, half_segment, viscous_drop = flow.is_open, flow.half_segment, flow.viscous_drop
+flux_root, slice_flux, pressure = flow.flux_root, flow.slice_flux, flow.pressure
 
 
 @jit
@@ -41,10 +36,9 @@ def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu
             running = min(gap(G[j, i], w[j, i]), upstream)
             on = attached(running, d_sep)
             upstream = running
-            if j > 0:
-                here = cube(1.0 / gap(G[j, i], w[j, i]))
-                above = cube(1.0 / gap(G[j - 1, i], w[j - 1, i]))
-                integral += on * viscous_segment(here, above)
+            if j > 0 and on:
+                for r in (1.0 / gap(G[j, i], w[j, i]), 1.0 / gap(G[j - 1, i], w[j - 1, i])):
+                    integral = half_segment(integral, square(r), r)
         Bd = viscous_drop(integral, d_sep, six_mu_a_dy)
         root = flux_root(inlet - outlet, Bd, half_rho_a)
         q = slice_flux(inlet - outlet, d_min, d_sep, 1.0 / (Bd + root))
@@ -58,6 +52,6 @@ def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu
             attached_pressure = pressure(inlet, q, square(1.0 / d), integral, half_rho_a, six_mu_a_dy)
             p_aero[j, i] = attached_pressure if on else outlet
             p_col[j, i] = contact_pressure(w[j, i], v[j, i], G[j, i], K_col, C_col)
-            if j > 0:
-                above = cube(1.0 / gap(G[j - 1, i], w[j - 1, i]))
-                integral += on * viscous_segment(cube(1.0 / d), above)
+            if j > 0 and on:
+                for r in (1.0 / d, 1.0 / gap(G[j - 1, i], w[j - 1, i])):
+                    integral = half_segment(integral, square(r), r)
