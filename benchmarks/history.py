@@ -1,8 +1,8 @@
 """What earlier runs of the benchmarks found, and whether the kernel has become slower since.
 
-Seconds depend on the machine and on what else it does. Ratios of two things timed in the same interleaved rounds
-depend on them far less, so only ratios to the plain loop are compared: with the median of the earlier runs on the
-same processor.
+Seconds depend on the machine and on what else it does. Ratios of the quickest turns of two things timed in the same
+interleaved rounds depend on them far less, so only ratios to the plain loop are compared: with the median of the
+earlier runs on the same processor.
 """
 
 import json

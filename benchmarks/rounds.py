@@ -12,15 +12,20 @@ TURN_S = 0.1  # at least so long is each task's turn in a round
 
 
 def interleaved(tasks: Mapping[str, Callable[[], object]], rounds: int, turn_s: float = TURN_S) -> dict[str, float]:
-    """Median over ``rounds`` rounds of the seconds of one call of each task, after a round that does not
-    count; each has turns of at least ``turn_s``."""
+    """Median over ``rounds`` rounds of the seconds of one call of each task: the median of ``turns``."""
+    return {name: median(values) for name, values in turns(tasks, rounds, turn_s).items()}
+
+
+def turns(tasks: Mapping[str, Callable[[], object]], rounds: int, turn_s: float = TURN_S) -> dict[str, list[float]]:
+    """Seconds of one call of each task in each of ``rounds`` rounds, after a round that does not count; each has turns
+    of at least ``turn_s``, of which the mean over its calls is taken."""
     seconds: dict[str, list[float]] = {name: [] for name in tasks}
     for lap in range(rounds + 1):
         for name, task in tasks.items():
             took = _turn(task, turn_s)
             if lap > 0:
                 seconds[name].append(took)
-    return {name: median(values) for name, values in seconds.items()}
+    return seconds
 
 
 def _turn(task: Callable[[], object], turn_s: float) -> float:

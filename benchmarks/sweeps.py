@@ -2,9 +2,9 @@
 
 ``python -m vocalis_bench.sweeps [map|large]`` prints figures as JSON. ``map``: 21 × 21 over CT and TA, runs of 1 s, all
 measures, on one core without a server, then through the job system with one worker and with all, in double and in
-single precision; beside it what a plain compiled loop would take for the same voices on the same cores, without any
-measure. ``large``: 10,000 runs of 1 s
-through the job system, killed with -9 half-way and gone on with, the memory of every process, opened by xarray.
+single precision, several times over (``--rounds``), for cores may have to be shared; beside it what a plain compiled
+loop would take for the same voices on the same cores, without any measure. ``large``: 10,000 runs of 1 s through the
+job system, killed with -9 half-way and gone on with, the memory of every process, opened by xarray.
 """
 
 import argparse
@@ -17,6 +17,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from statistics import median
 
 import httpx
 
@@ -28,6 +29,7 @@ from vocalis_server.warm import compile_everything
 
 MB = 2**20
 LOOK_EVERY_S = 0.25
+PRESSURE_PA, APART_PA = 1000.0, 0.25  # of the rounds of a map, whose points must differ but not in the work they make
 
 
 def grid(n_ct: int, n_ta: int) -> dict:
@@ -58,26 +60,34 @@ def served(folder: str, workers: int) -> Iterator[tuple[httpx.Client, subprocess
         server.wait()
 
 
-def through_jobs(body: dict, workers: int) -> dict:
-    """Seconds of a sweep as a job, workers started before; processor seconds of the server process and its workers."""
+def through_jobs(body: dict, workers: int, rounds: int = 1) -> dict:
+    """Seconds of a sweep as a job, the median and the quickest of ``rounds``, workers started before; processor seconds
+    of the server process and its workers, the mean."""
     with tempfile.TemporaryDirectory(prefix="vocalis-sweeps-") as folder, served(folder, workers) as (client, server):
         warm = client.post("/jobs", json=grid(8, 2) | {"base": {"vowel": "i"}}).json()
         while client.get(f"/jobs/{warm['id']}").json()["finished"] is None:
             time.sleep(0.1)
         hands = children(server.pid)
         spent, worked = processor_s(server.pid), sum(map(processor_s, hands))
-        began = time.perf_counter()
-        job = client.post("/jobs", json=body).json()
-        with client.stream("GET", f"/jobs/{job['id']}/events") as stream:
-            for line in stream.iter_lines():
-                if line == "event: done":
-                    break
-        seconds, server_s = time.perf_counter() - began, processor_s(server.pid) - spent
-        workers_s = sum(map(processor_s, hands)) - worked
+        seconds = [_once(client, body, PRESSURE_PA + k * APART_PA) for k in range(rounds)]
+        server_s = (processor_s(server.pid) - spent) / rounds
+        workers_s = (sum(map(processor_s, hands)) - worked) / rounds
     return {
-        "seconds": round(seconds, 3), "server_cpu_s": round(server_s, 3), "workers_cpu_s": round(workers_s, 3),
+        "seconds": round(median(seconds), 3), "quickest_s": round(min(seconds), 3),
+        "server_cpu_s": round(server_s, 3), "workers_cpu_s": round(workers_s, 3),
         "job_system_share": round(server_s / (server_s + workers_s), 4),
     }  # fmt: skip
+
+
+def _once(client: httpx.Client, body: dict, pressure_pa: float) -> float:
+    """Seconds from a sweep's request to the end of its events, at a pressure of its own: no point is known yet."""
+    began = time.perf_counter()
+    job = client.post("/jobs", json=body | {"base": {"subglottal_pressure_pa": pressure_pa}}).json()
+    with client.stream("GET", f"/jobs/{job['id']}/events") as stream:
+        for line in stream.iter_lines():
+            if line == "event: done":
+                break
+    return time.perf_counter() - began
 
 
 def children(pid: int) -> list[int]:
@@ -102,16 +112,16 @@ def resident_mb(pid: int) -> float:
     return total / MB
 
 
-def measure_map() -> dict:
-    """The map of two muscles."""
+def measure_map(rounds: int) -> dict:
+    """The map of two muscles; with all workers ``rounds`` times over."""
     body, cores = grid(21, 21), os.cpu_count() or 1
     sweep = sweep_from_dict(body)
     compile_everything()
     began = time.perf_counter()
     run_sweep(sweep, workers=1)
     alone = time.perf_counter() - began
-    one, every = through_jobs(body, 1), through_jobs(body, cores)
-    single = through_jobs(body | {"precision": "float32"}, cores)
+    one, every = through_jobs(body, 1), through_jobs(body, cores, rounds)
+    single = through_jobs(body | {"precision": "float32"}, cores, rounds)
     fold, pressure_pa = prepare(sweep.base).fold, sweep.base.subglottal_pressure_pa
     plain_s = len(sweep) / cores * interleaved({"plain": lambda: plain_run(fold, pressure_pa, 1.0)}, 3)["plain"]
     return {
@@ -162,8 +172,9 @@ def measure_large(points: int = 100) -> dict:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("what", choices=["map", "large"], nargs="?", default="map")
+    parser.add_argument("--rounds", type=int, default=5, help="maps in each precision with all workers")
     options = parser.parse_args()
-    print(json.dumps(measure_map() if options.what == "map" else measure_large(), indent=2))
+    print(json.dumps(measure_map(options.rounds) if options.what == "map" else measure_large(), indent=2))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 import json
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,10 +11,10 @@ from tests.support.fold_harness import MODAL, product_and_twin
 from vfcore.kernels.layout import Layout
 from vfcore.params import PAPER_STEP_S, Run, Simulation
 from vfcore.simulate import prepare, simulate
-from vocalis_bench import history
+from vocalis_bench import history, suite
 from vocalis_bench.count import Counted, count_step
 from vocalis_bench.reference import plain_run
-from vocalis_bench.rounds import interleaved
+from vocalis_bench.rounds import interleaved, turns
 from vocalis_cli.main import main
 
 
@@ -62,9 +63,16 @@ def test_a_step_costs_in_proportion_to_its_nodes():
 
 def test_rounds_are_interleaved_and_the_first_does_not_count():
     order = []
-    seconds = interleaved({"a": lambda: order.append("a"), "b": lambda: order.append("b")}, 3, turn_s=0.0)
+    seconds = turns({"a": lambda: order.append("a"), "b": lambda: order.append("b")}, 3, turn_s=0.0)
     assert order == ["a", "b"] * 4
-    assert set(seconds) == {"a", "b"} and all(0 <= value < 0.1 for value in seconds.values())
+    assert set(seconds) == {"a", "b"}
+    assert all(len(took) == 3 and 0 <= min(took) and max(took) < 0.1 for took in seconds.values())
+
+
+def test_of_uneven_rounds_the_middle_one_counts():
+    naps = iter((0.2, 0.001, 0.05, 0.01))  # the first does not count
+    seconds = interleaved({"uneven": lambda: time.sleep(next(naps))}, 3, turn_s=0.0)
+    assert 0.01 <= seconds["uneven"] < 0.05
 
 
 def test_a_short_task_is_called_until_its_turn_is_over():
@@ -110,3 +118,11 @@ def test_the_table_is_json_too(capsys):
     assert rows["kernel_paper_step_s"]["value"] > 4 * rows["kernel_s"]["value"]
     assert {"batch_ratio", "single_precision_ratio", "paper_minute_ratio"} <= set(rows)
     assert document["machine"]["cores"] >= 1
+
+
+def test_the_quickest_turn_stands_beside_the_median(monkeypatch):
+    took = dict.fromkeys(suite._tasks(Path("unused")), [3.0, 1.0, 2.0]) | {"reference": [80.0, 50.0, 60.0]}
+    monkeypatch.setattr(suite, "turns", lambda tasks, rounds: took)
+    rows = {row.key: row for row in suite.run(3, fresh_processes=False)}
+    assert (rows["kernel_s"].value, rows["kernel_s"].quickest) == (2.0, 1.0)
+    assert (rows["reference_ratio"].value, rows["reference_ratio"].quickest) == (30.0, 50.0)
