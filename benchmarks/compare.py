@@ -36,7 +36,7 @@ def rows(seconds: Mapping[str, float]) -> Iterator[tuple[str, str, float, str]]:
     """Key, label, value and unit of what ``tasks`` took, in seconds per second of voice and as ratios."""
     if "twin" in seconds:
         took = seconds["twin"] / (TWIN_STEPS * DEFAULT_STEP_S)
-        yield "twin_s", "the readable twin of the tests, 1 s of voice", took, "s"
+        yield "twin_s", "readable twin of the tests, 1 s of voice", took, "s"
         yield "twin_ratio", "  twin / kernel", took / seconds["kernel"], "×"
     if "vocaltractlab" in seconds:
         took = seconds["vocaltractlab"]

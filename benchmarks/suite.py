@@ -113,20 +113,20 @@ def _beside(rows: Callable[[dict[str, float]], Iterator[Row]], seconds: dict[str
 
 
 def _timings(seconds: dict[str, float]) -> Iterator[Row]:
-    yield Row("posture_us", "posture: muscles → strain and angle, one call", seconds["posture"] * 1e6, "µs")
+    yield Row("posture_us", "posture: muscles → strain and angle", seconds["posture"] * 1e6, "µs")
     yield Row("posture_batch_us", f"posture, each of a batch of {BATCH}", seconds["postures"] / BATCH * 1e6, "µs")
     yield Row("static_ms", "static shape with contact", seconds["static"] * 1e3, "ms")
-    yield Row("prepare_ms", "request → posture, coefficients, static shape", seconds["prepare"] * 1e3, "ms")
+    yield Row("prepare_ms", "request → posture and static shape", seconds["prepare"] * 1e3, "ms")
     yield Row(
         "kernel_s", f"kernel, 1 s of voice, step {DEFAULT_STEP_S * 1e6:.2f} µs", seconds["kernel"], "s",
         KERNEL_TARGET_S,
     )  # fmt: skip
     yield Row(
-        "kernel_paper_step_s", f"kernel, 1 s of voice, the paper's step {PAPER_STEP_S * 1e6:.4f} µs",
+        "kernel_paper_step_s", f"  at the paper's step, {PAPER_STEP_S * 1e6:.4f} µs",
         seconds["kernel_paper_step"], "s", PAPER_STEP_TARGET_S,
     )  # fmt: skip
     yield Row(
-        "reference_s", f"plain compiled loop, 1 s of voice, step {reference.STEP_S * 1e6:.2f} µs",
+        "reference_s", f"plain compiled loop, step {reference.STEP_S * 1e6:.2f} µs",
         seconds["reference"], "s",
     )  # fmt: skip
     yield Row("reference_ratio", "plain loop / kernel", seconds["reference"] / seconds["kernel"], "×")
@@ -136,7 +136,7 @@ def _timings(seconds: dict[str, float]) -> Iterator[Row]:
     )  # fmt: skip
     for task, precision, label in (("batch", "float64", "batch"), ("batch_single", "float32", "single_precision")):
         each = seconds[task] / LANES[precision] / BATCH_VOICE_S
-        yield Row(f"{label}_s", f"kernel, 1 s of voice, each of {LANES[precision]} in {precision}", each, "s")
+        yield Row(f"{label}_s", f"kernel, each of {LANES[precision]} voices in {precision}", each, "s")
         yield Row(f"{label}_ratio", "  plain loop / kernel", seconds["reference"] / each, "×")
     yield Row("static_batch_s", f"{BATCH} static shapes, one after the other", seconds["static"] * BATCH, "s")
     yield Row("paper_minute_ratio", "the paper's minute / request → result", PAPER_MINUTE_S / seconds["result"], "×")
@@ -159,7 +159,7 @@ def _memory() -> Iterator[Row]:
     seen = processes.memory()
     if seen is None:
         return
-    yield Row("memory_mb", "resident memory while simulating 1 s, peak", seen["after_bytes"] * 1e-6, "MB")
+    yield Row("memory_mb", "peak resident memory, simulating 1 s", seen["after_bytes"] * 1e-6, "MB")
     grown = seen["after_bytes"] - seen["before_bytes"]
     yield Row("memory_run_mb", "  of it by that run", grown * 1e-6, "MB")
 
@@ -177,8 +177,8 @@ def _efficiency(seconds: dict[str, float], counted: dict[str, int]) -> Iterator[
     gflop_s = counted["arithmetic"] / per_step_s * 1e-9
     gb_s = counted["accesses"] * 8 / per_step_s * 1e-9
     yield Row("step_us", "one step of the kernel", per_step_s * 1e6, "µs")
-    yield Row("operations", "arithmetic operations a step with contact, as written", counted["arithmetic"], "flop")
-    yield Row("bytes", "bytes read and written a step, as written", counted["accesses"] * 8, "B")
+    yield Row("operations", "operations a step in contact, as written", counted["arithmetic"], "flop")
+    yield Row("bytes", "bytes moved a step, as written", counted["accesses"] * 8, "B")
     yield Row("state_bytes", "the buffer of a fold", Layout(grid.nx, grid.ny).size * 8, "B")
     yield Row("gflop_s", "kernel: arithmetic", gflop_s, "Gflop/s")
     yield Row("of_peak", "  of this core's multiply-adds", 100 * gflop_s / _peak_gflop_s(seconds), "%")
