@@ -10,6 +10,7 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
 
+from vfcore.batch import SINGLE_PRECISION
 from vfcore.document import json_text
 from vfcore.errors import ParameterError
 from vfcore.params import Simulation
@@ -64,7 +65,13 @@ def sweep(
         typer.Option("--workers", metavar="NUMBER", help="processes; as many as cores", rich_help_panel=_HOW),
     ] = None,
     precision: Annotated[
-        str | None, typer.Option("--precision", metavar="NAME", help="float64 or float32", rich_help_panel=_HOW)
+        str | None,
+        typer.Option(
+            "--precision",
+            metavar="NAME",
+            help=f"float64, or float32: two thirds of the time, {SINGLE_PRECISION}",
+            rich_help_panel=_HOW,
+        ),
     ] = None,
     scheduler: Annotated[
         str | None,
