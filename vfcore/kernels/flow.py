@@ -129,7 +129,10 @@ def square(r):
 
 @jit
 def half_segment(viscous_sum, per_d2, r):
-    """∫ dη/d³ half a node spacing further, in units of dy/2, m⁻³: by the 1/d³ of the node at this end of it."""
+    """∫ dη/d³ half a node spacing further, towards a node or away from it, in units of dy/2, m⁻³.
+
+    ``per_d2`` and ``r``: 1/d² and 1/d at that node.
+    """
     return multiply_add(per_d2, r, viscous_sum)
 
 
