@@ -94,7 +94,7 @@ def test_a_file_that_is_not_text_is_refused(capsys, tmp_path):
 
 def test_an_unwritable_file_is_found_out_before_the_run(capsys, monkeypatch):
     monkeypatch.setattr("vocalis_cli.simulate.simulate_watched", lambda request: pytest.fail("it was run"))
-    refusal(capsys, "simulate", "--wav", "/no/such/folder/x.wav")
+    assert "/no/such/folder" in refusal(capsys, "simulate", "--wav", "/no/such/folder/x.wav")
 
 
 def test_a_disk_that_fills_up_is_one_line_too(capsys, monkeypatch, tmp_path):
