@@ -12,6 +12,8 @@ pytestmark = pytest.mark.alone
 
 #: Of the time that a voice sounds: how much may be missing on a machine that does other things as well.
 SILENT_SHARE = 0.05
+#: Movements that must have sounded before their delay is judged.
+ENOUGH = 20
 
 
 @pytest.fixture
@@ -52,9 +54,12 @@ def test_sound_goes_on_and_follows_slider_keyboard_and_pad(played, capsys):
             played.page.keyboard.press("Shift+ArrowRight")
         assert played.value("ct") == pytest.approx(0.6, abs=0.1)
         played.page.evaluate("performance.clearMeasures()")
-        played.sway("activation.ct", 3)
+        for _ in range(5):  # on a busy machine fewer movements sound in a while
+            played.sway("activation.ct", 3)
+            times = played.page.evaluate("performance.getEntriesByName('slider to sound').map((e) => e.duration)")
+            if len(times) > ENOUGH:
+                break
         end = played.at()
-        times = played.page.evaluate("performance.getEntriesByName('slider to sound').map((e) => e.duration)")
         last = played.hold(0.5)
         shown = float(played.page.locator(".play-now").inner_text().split(" Hz")[0])
         sound = played.tape()
@@ -67,7 +72,7 @@ def test_sound_goes_on_and_follows_slider_keyboard_and_pad(played, capsys):
     assert pitches[1] > pitches[0] + 30, "CT is the pitch muscle"
     assert pitches[:2] == pytest.approx(wanted, rel=0.01), "it is the model's pitch"
     assert shown == pytest.approx(pitch_hz(sound[last], RATE), rel=0.01), "the page says what sounds"
-    assert len(times) > 20 and p95 < 1000, "a busy machine may be slow, but nothing piles up"
+    assert len(times) > ENOUGH and p95 < 1000, "a busy machine may be slow, but nothing piles up"
     assert silent_share(sound[begin:end]) < SILENT_SHARE
 
 
