@@ -1,10 +1,12 @@
 """Many simulations reduced to their scalars, and many static shapes: what maps and sweeps are made of."""
 
 from collections.abc import Callable, Iterator, Sequence
-from itertools import islice
+from itertools import groupby, islice
 from typing import NamedTuple
 
-from vfcore.acoustics.airways import airways_of
+import numpy as np
+
+from vfcore.acoustics.airways import airways_of, tract_of
 from vfcore.assemble import Fold
 from vfcore.errors import DivergenceError, ParameterError, VocalisError
 from vfcore.march import March
@@ -18,6 +20,7 @@ from vfcore.simulate import Prepared, fold_of, posture_of, signals_of, waveforms
 from vfcore.sound import measured_sound
 from vfcore.stability import time_step_s
 from vfcore.statics import static_shape_of
+from vfcore.together import TOGETHER, Together
 
 BLOCK = 64  # requests taken together, a multiple of the lanes of the step; bounds the memory of a long list
 PRECISIONS = ("float64", "float32")
@@ -81,9 +84,10 @@ def _points(requests, stop, keys, single_precision) -> Iterator[Point]:
             except VocalisError as error:
                 done[place] = Point(None, None, error)
         places, following = list(motions), 0
-        for index, outcome in march_many(list(motions.values()), single_precision=single_precision, stop=stop):
-            request, (posture, fold) = block[places[index]]
-            done[places[index]] = _reduced(request, posture, fold, outcome, keys)
+        outcomes = march_many(list(motions.values()), single_precision=single_precision, stop=stop)
+        marched = ((places[index], outcome) for index, outcome in outcomes)
+        for place, point in (_side_by_side if single_precision else _one_by_one)(block, marched, keys):
+            done[place] = point
             while following in done:
                 yield done.pop(following)
                 following += 1
@@ -112,21 +116,53 @@ def _coupled(request: Simulation, fold: Fold, stop) -> Outcome:
     return Outcome(record, record[:, FLOW], motion.sample_s, None)
 
 
-def _reduced(request: Simulation, posture: PostureSolution, fold: Fold, outcome: Outcome, keys) -> Point:
+def _one_by_one(block, marched: Iterator[tuple[int, Outcome]], keys) -> Iterator[tuple[int, Point]]:
+    for place, outcome in marched:
+        request, (posture, fold) = block[place]
+        yield place, _reduced(request, posture, fold, outcome, keys)
+
+
+def _side_by_side(block, marched: Iterator[tuple[int, Outcome]], keys) -> Iterator[tuple[int, Point]]:
+    """The same, neighbours that are alike measured together, and alone those without a sound."""
+
+    def likeness(one: tuple[int, Outcome]):
+        place, outcome = one
+        flow = outcome.flow_m3_s
+        if flow is None or not np.isfinite(flow).all():
+            return None
+        return tract_of(block[place][0]), outcome.sample_s, len(flow), len(outcome.record)
+
+    for kind, neighbours in groupby(marched, likeness):
+        while group := list(islice(neighbours, TOGETHER)):
+            shared = kind and Together([outcome for _, outcome in group], kind[0])
+            for nth, (place, outcome) in enumerate(group):
+                request, (posture, fold) = block[place]
+                yield place, _reduced(request, posture, fold, outcome, keys, shared and (shared, nth))
+
+
+def _reduced(
+    request: Simulation,
+    posture: PostureSolution,
+    fold: Fold,
+    outcome: Outcome,
+    keys,
+    shared: tuple[Together, int] | None = None,
+) -> Point:
     if outcome.problem is not None:
         return Point(None, None, outcome.problem)
+    flow_m3_s, sample_s = outcome.flow_m3_s, outcome.sample_s
+    left_out = len(flow_m3_s) - len(outcome.record)
+    if shared:
+        together, nth = shared
+        radiate, correlate = (lambda: together.sounds[nth]), (lambda: together.correlations[nth])
+    else:
+        radiate, correlate = (lambda: measured_sound(request, flow_m3_s, sample_s, left_out)), None
     try:
-        flow_m3_s, sample_s = outcome.flow_m3_s, outcome.sample_s
-        left_out = len(flow_m3_s) - len(outcome.record)
         arrays = waveforms(outcome.record, sample_s, fold.nx)
-        report = measure_all(
-            signals_of(request, posture, fold, arrays, sample_s, window_start(len(flow_m3_s)) - left_out),
-            keys,
-            radiate=lambda: measured_sound(request, flow_m3_s, sample_s, left_out),
-        )
+        signals = signals_of(request, posture, fold, arrays, sample_s, window_start(len(flow_m3_s)) - left_out)
+        return Point(posture, measure_all(signals, keys, radiate, correlate), None)
     except VocalisError as error:
         return Point(None, None, error)
-    return Point(posture, report, None)
 
 
 def _folds(requests: Sequence[Simulation]):

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from vfcore.kernels.repetition import first_period, likeness
-from vfcore.measures.pitch import PEAK_RISE, Autocorrelation
+from vfcore.measures.pitch import PEAK_RISE, autocorrelation
 
 pytestmark = pytest.mark.kernel
 LEAST, NEARLY = 0.5, 0.95
 
 
 def twin(wave: np.ndarray, lag_min: int) -> float:
-    peaks = Autocorrelation(wave).peaks(lag_min, len(wave) // 2)
+    peaks = autocorrelation(wave).peaks(lag_min, len(wave) // 2)
     highest = max((peak.height for peak in peaks), default=0.0)
     if highest < LEAST:
         return float("nan")
@@ -31,7 +31,7 @@ def test_likeness_and_period_are_those_of_the_transform():
             wave = 1.0 + np.maximum(0.0, np.sin(t / rng.uniform(2.0, 9.0))) + noise * rng.random(count)
             values = np.empty(count // 2 + 2)
             likeness(wave, np.empty(count), values)
-            np.testing.assert_allclose(values, Autocorrelation(wave).values, rtol=0, atol=1e-12)
+            np.testing.assert_allclose(values, autocorrelation(wave).values, rtol=0, atol=1e-12)
             lag = period(values, PEAK_RISE)
             assert lag == pytest.approx(twin(wave, 2), rel=1e-12, nan_ok=True)
             found.append(np.isnan(lag))

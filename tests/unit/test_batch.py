@@ -8,6 +8,7 @@ import pytest
 import vfcore
 from vfcore.batch import run_points, static_shapes
 from vfcore.errors import Cancelled, ParameterError, StabilityError
+from vfcore.march_batch import march_many
 from vfcore.measures import CATALOGUE
 from vfcore.measures.signals import unread
 from vfcore.request import simulation_from_dict
@@ -39,10 +40,16 @@ def test_a_point_is_the_run_reduced_to_its_scalars():
                 assert measure.value == pytest.approx(expected.value, rel=tolerance, abs=0), key
 
 
-def test_a_point_does_not_depend_on_its_neighbours():
-    requests = [_short(), HIGH, _short(subglottal_pressure_pa=700.0)]
-    (alone,) = run_points([HIGH])
-    assert [*run_points(requests)][1] == [*run_points(requests[::-1])][1] == alone
+@pytest.mark.parametrize("precision", ["float64", "float32"])
+def test_a_point_does_not_depend_on_its_neighbours(precision):
+    """Whatever vowels they have, however many there are, and whether they vibrate or not."""
+    pressures = [_short(subglottal_pressure_pa=pressure) for pressure in (5.0, 700.0, 900.0, 1100.0)]
+    requests = [_short(), HIGH, *pressures, dataclasses.replace(HIGH, vowel="u"), _short(vowel="i")]
+    points = list(run_points(requests, precision=precision))
+    assert points == [*run_points(requests[::-1], precision=precision)][::-1]
+    assert points == [point for request in requests for point in run_points([request], precision=precision)]
+    assert {point.report.state for point in points} == {"none", "periodic"}
+    assert len({point.report.measures["spl_30cm_db"] for point in points}) == len(points)
 
 
 @pytest.mark.parametrize("precision", ["float64", "float32"])
@@ -84,6 +91,23 @@ def test_a_failing_point_carries_its_reason_and_stops_nobody_else():
     assert broken.report is None
     assert sound.report.measures["mean_flow_ml_s"].value > 0
     assert other.report.measures["mean_flow_ml_s"].value > 0
+
+
+@pytest.mark.parametrize("precision", ["float64", "float32"])
+def test_a_flow_that_is_no_number_leaves_its_neighbours_alone(precision, monkeypatch):
+    requests = [_short(), HIGH, _short(vowel="i")]
+    expected = list(run_points(requests, precision=precision))
+
+    def spoilt(*given, **named):
+        for index, outcome in march_many(*given, **named):
+            if index == 1:
+                outcome.flow_m3_s[-1] = np.nan
+            yield index, outcome
+
+    monkeypatch.setattr("vfcore.batch.march_many", spoilt)
+    first, wrong, third = run_points(requests, precision=precision)
+    assert [first, third] == [expected[0], expected[2]]
+    assert wrong.problem.path == "flow_m3_s"
 
 
 def test_a_stop_ends_it():

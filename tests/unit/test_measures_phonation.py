@@ -6,6 +6,7 @@ import pytest
 from tests.support.synthetic_waves import MM2, RATE_HZ, alternating, signals_from, steady_phase, times, triangle
 from vfcore.kernels.repetition import vertex
 from vfcore.measures import measure_all
+from vfcore.measures.pitch import autocorrelation, autocorrelations
 
 RATES = [60.0, 97.3, 149.6, 233.7, 371.0, 499.7]
 T = times()
@@ -183,3 +184,15 @@ def test_the_vertex_of_a_nearly_straight_rise_is_kept_at_half_a_sample():
     offset, height = vertex(-1.0, 0.0, np.nextafter(1.0, 0.0))
     assert offset == 0.5
     assert height == pytest.approx(0.25)
+
+
+def test_several_waves_side_by_side_repeat_as_each_alone():
+    """In double precision bit for bit; in single r to a few times its rounding, and the period far beyond a sample."""
+    waves = np.stack([pulses(fo_hz)[:9001] for fo_hz in (97.3, 149.6, 371.0, 499.7)])
+    single = autocorrelations(waves.astype(np.float32))
+    for wave, double, coarse in zip(waves, autocorrelations(waves), single, strict=True):
+        alone = autocorrelation(wave)
+        assert np.array_equal(double.values, alone.values)
+        np.testing.assert_allclose(coarse.values, alone.values, rtol=0, atol=3e-6)
+        (peak, *_), (expected, *_) = coarse.peaks(28, 3000), alone.peaks(28, 3000)
+        assert coarse.long_term_period(peak.lag) == pytest.approx(alone.long_term_period(expected.lag), rel=1e-6)

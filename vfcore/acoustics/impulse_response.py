@@ -104,9 +104,9 @@ def response_at(tract: Tract, time_step_s: float) -> np.ndarray:
 
 
 @lru_cache(maxsize=16)
-def _spectra_at(tract: Tract, time_step_s: float, length: int) -> np.ndarray:
+def _spectra_at(tract: Tract, time_step_s: float, length: int, precision: str) -> np.ndarray:
     """Spectra of g, zero-padded to ``length`` samples, shape (3, length//2 + 1)."""
-    return rfft(response_at(tract, time_step_s), length, axis=1)
+    return rfft(response_at(tract, time_step_s).astype(precision), length, axis=1)
 
 
 def radiate(
@@ -120,25 +120,36 @@ def radiate(
     ParameterError when the flow is not a finite waveform, or the step is out of range or longer than the sound's
     travel through the tract.
     """
-    travel = len(tract.areas_m2) * tract.section_travel_s
-    check_number("time_step_s", time_step_s, STEP_LIMITS_S[0], min(travel, STEP_LIMITS_S[1]), "s")
     flow = np.asarray(flow_m3_s, dtype=np.float64)
     if flow.ndim != 1 or flow.size == 0:
         raise ParameterError("flow_m3_s", f"shape {flow.shape} is not a waveform", "one value per time step")
-    if not np.isfinite(flow).all():
+    lips, mouth, far = radiate_each(flow[None], time_step_s, tract, first, mouth_flow)
+    return Radiated(lips[0], mouth[0] if mouth_flow else None, far[0])
+
+
+def radiate_each(
+    flows_m3_s: np.ndarray, time_step_s: float, tract: Tract, first: int = 0, mouth_flow: bool = True
+) -> Radiated:
+    """The same of several flows, shape (runs, n), transformed side by side in the precision they have."""
+    travel = len(tract.areas_m2) * tract.section_travel_s
+    check_number("time_step_s", time_step_s, STEP_LIMITS_S[0], min(travel, STEP_LIMITS_S[1]), "s")
+    if not np.isfinite(flows_m3_s).all():
         raise ParameterError("flow_m3_s", "the flow has values that are not finite", "finite values, m³/s")
+    precision = flows_m3_s.dtype
     taps = response_at(tract, float(time_step_s)).shape[1]
-    count = flow.size - first
+    runs, samples = flows_m3_s.shape
+    count = samples - first
     block = min(count, max(LONGEST_BLOCK, 2 * taps))
     length = EVENLY * next_fast_len(-(-(block + taps - 1) // EVENLY), real=True)
-    spectra = _spectra_at(tract, float(time_step_s), length)
+    spectra = _spectra_at(tract, float(time_step_s), length, precision.name)
     hop = length - taps + 1
     rows = slice(None) if mouth_flow else slice(None, None, 2)
-    sound = np.empty((len(spectra[rows]), count))
+    sound = np.empty((runs, len(spectra[rows]), count), precision)
     for start in range(0, count, hop):  # overlap-save: a block reads the flow as far back as the response reaches
-        begin, end = first + start - taps + 1, min(first + start + hop, flow.size)
-        heard = np.zeros(length)
-        heard[max(-begin, 0) : end - begin] = flow[max(begin, 0) : end]
-        parts = irfft(rfft(heard, overwrite_x=True) * spectra[rows], length, axis=1, overwrite_x=True)
-        sound[:, start : start + hop] = parts[:, taps - 1 : taps - 1 + end - first - start]
-    return Radiated(sound[0], sound[1] if mouth_flow else None, sound[-1])
+        begin, end = first + start - taps + 1, min(first + start + hop, samples)
+        heard = np.zeros((runs, length), precision)
+        heard[:, max(-begin, 0) : end - begin] = flows_m3_s[:, max(begin, 0) : end]
+        spectrum = rfft(heard, overwrite_x=True)[:, None]
+        parts = irfft(spectrum * spectra[rows], length, overwrite_x=True)
+        sound[:, :, start : start + hop] = parts[:, :, taps - 1 : taps - 1 + end - first - start]
+    return Radiated(sound[:, 0], sound[:, 1] if mouth_flow else None, sound[:, -1])

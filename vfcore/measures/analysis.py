@@ -10,15 +10,21 @@ from vfcore.measures.flow import flow_slope, mean_ml_s, steepest_fall
 from vfcore.measures.glottis import OpenPhases, open_phases
 from vfcore.measures.level import radiated_power_w, rms_pa
 from vfcore.measures.phonation import Phonation, judge_phonation
+from vfcore.measures.pitch import Autocorrelation
 from vfcore.measures.signals import Signals, Sound
 
 
 class Analysis:
     """Signals of one run, the window, the phonation state and the cycles found in it."""
 
-    def __init__(self, signals: Signals, radiate: Callable[[], Sound] | None = None):
+    def __init__(
+        self,
+        signals: Signals,
+        radiate: Callable[[], Sound] | None = None,
+        correlate: Callable[[], Autocorrelation] | None = None,
+    ):
         self.signals = signals
-        self._radiate = radiate
+        self._radiate, self._correlate = radiate, correlate
 
     @cached_property
     def sound(self) -> Sound:
@@ -33,7 +39,8 @@ class Analysis:
 
     @cached_property
     def phonation(self) -> Phonation:
-        return judge_phonation(self.window(self.signals.glottal_area_m2), self.signals.sample_rate_hz)
+        area = self.window(self.signals.glottal_area_m2)
+        return judge_phonation(area, self.signals.sample_rate_hz, self._correlate)
 
     @cached_property
     def cycles(self) -> Cycles | None:

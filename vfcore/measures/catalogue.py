@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 from vfcore.errors import ParameterError
 from vfcore.measures.analysis import Analysis
 from vfcore.measures.measure import Measure
+from vfcore.measures.pitch import Autocorrelation
 from vfcore.measures.rows import ROWS
 from vfcore.measures.signals import Signals, Sound
 from vfcore.measures.spec import MeasureSpec
@@ -67,16 +68,20 @@ def known_keys(keys: Sequence[str]) -> tuple[str, ...]:
 
 
 def measure_all(
-    signals: Signals, keys: Sequence[str] | None = None, radiate: Callable[[], Sound] | None = None
+    signals: Signals,
+    keys: Sequence[str] | None = None,
+    radiate: Callable[[], Sound] | None = None,
+    correlate: Callable[[], Autocorrelation] | None = None,
 ) -> MeasureReport:
     """Measures on the last half of ``signals``; the phonation state comes first.
 
     ``keys``: those wanted, None for every one of the catalogue; each has the same value whatever else is asked for.
-    ``radiate``: called for the sound when a measure needs it; None where the signals hold it. Raises ParameterError
-    for an unknown key.
+    ``radiate``: called for the sound when a measure needs it; None where the signals hold it. ``correlate``: called for
+    the autocorrelation of the measured area, unless the glottis hardly moves; None where it is to be worked out here.
+    Raises ParameterError for an unknown key.
     """
     wanted = CATALOGUE if keys is None else [CATALOGUE[key] for key in known_keys(keys)]
-    analysis = Analysis(signals, radiate)
+    analysis = Analysis(signals, radiate, correlate)
     cycles = analysis.cycles
     return MeasureReport(
         state=analysis.phonation.state,

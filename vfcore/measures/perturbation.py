@@ -10,7 +10,7 @@ import numpy as np
 
 from vfcore.measures.cycles import Cycles
 from vfcore.measures.measure import Missing
-from vfcore.measures.pitch import Autocorrelation
+from vfcore.measures.pitch import autocorrelation
 
 # Beyond this the ratio measures rounding, not noise.
 HIGHEST_HNR_DB = 60.0
@@ -34,7 +34,7 @@ def shimmer_percent(pressure_pa: np.ndarray, cycles: Cycles) -> float | Missing:
 
 def harmonics_to_noise_db(pressure_pa: np.ndarray, cycle: float) -> float | Missing:
     """HNR = 10 log₁₀(r / (1 − r)) with r the normalised autocorrelation peak near ``cycle`` samples (Boersma 1993)."""
-    r = Autocorrelation(pressure_pa).near(cycle, 0.1 * cycle).height
+    r = autocorrelation(pressure_pa).near(cycle, 0.1 * cycle).height
     if r <= 0.0:
         return Missing("The sound does not resemble itself one cycle later.")
     ratio = 10.0 * log10(r / (1.0 - r)) if r < 1.0 else np.inf

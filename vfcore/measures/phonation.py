@@ -12,12 +12,13 @@ The criterion uses the minimum glottal area in the window only, in this order:
 Closing is not asked for: a glottis that never closes can vibrate perfectly periodically.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
 
-from vfcore.measures.pitch import HIGHEST_RATE_HZ, LOWEST_RATE_HZ, Autocorrelation, Peak
+from vfcore.measures.pitch import HIGHEST_RATE_HZ, LOWEST_RATE_HZ, Autocorrelation, Peak, autocorrelation
 
 # 0.1 mm² is 1 % of an ordinary peak area of 10 mm², or 7 µm of gap over a 15 mm glottis. At 1 kPa it modulates the
 # flow by 4 mL/s; as a simple source at 150 Hz that is 26 dB at 0.3 m, below the softest voice (about 40 dB).
@@ -74,13 +75,18 @@ class Phonation:
     correlation: Autocorrelation | None = None
 
 
-def judge_phonation(area_m2: np.ndarray, sample_rate_hz: float) -> Phonation:
-    """The phonation state of the minimum glottal area ``area_m2``, shape (n,), m², over one window."""
+def judge_phonation(
+    area_m2: np.ndarray, sample_rate_hz: float, correlate: Callable[[], Autocorrelation] | None = None
+) -> Phonation:
+    """The phonation state of the minimum glottal area ``area_m2``, shape (n,), m², over one window.
+
+    ``correlate``: called for the area's autocorrelation; None where it is to be worked out here.
+    """
     area = np.asarray(area_m2, dtype=np.float64)
     silence = _too_small(area, sample_rate_hz) or _unsteady(area, int(STRETCH_S * sample_rate_hz))
     if silence:
         return Phonation("none", silence)
-    correlation = Autocorrelation(area)
+    correlation = autocorrelation(area) if correlate is None else correlate()
     lag_min = max(int(sample_rate_hz / HIGHEST_RATE_HZ), 2)
     lag_max = min(int(sample_rate_hz / LOWEST_RATE_HZ), len(area) // 3)
     peaks = correlation.peaks(lag_min, lag_max)

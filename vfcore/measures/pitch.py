@@ -34,24 +34,18 @@ class Peak:
     height: float
 
 
+@dataclass(frozen=True, eq=False)
 class Autocorrelation:
-    """Normalised autocorrelation r of one wave for lags up to half its length.
+    """Normalised autocorrelation r of one wave, shape (n,), for lags up to half its length.
 
-    ``wave``: shape (n,), any unit. ``values``: shape (n // 2 + 2,), dimensionless. A constant wave has r = 0.
+    ``values``: shape (n // 2 + 2,), dimensionless. A constant wave has r = 0. ``spectrum``: that of the wave about its
+    mean, filled up with zeros to ``size`` samples.
     """
 
-    def __init__(self, wave: np.ndarray):
-        x = np.asarray(wave, dtype=np.float64)
-        x = x - x.mean()
-        n = len(x)
-        keep = n // 2 + 2
-        size = fft.next_fast_len(n + keep, real=True)
-        self.spectrum = fft.rfft(x, size)
-        power = self.spectrum.real**2 + self.spectrum.imag**2
-        self.values = fft.irfft(power, size, overwrite_x=True)[:keep]
-        normalise(x, self.values)
-        self.size = size
-        self.n = n
+    values: np.ndarray
+    spectrum: np.ndarray
+    size: int
+    n: int
 
     def peaks(self, lag_min: int, lag_max: int) -> list[Peak]:
         """Positive local maxima of r between the lags ``lag_min`` and ``lag_max`` (samples), shortest lag first.
@@ -88,3 +82,25 @@ class Autocorrelation:
         """
         fall = np.clip((np.arange(len(self.spectrum)) / (self.size * rate) - 1.0) / 0.9, 0.0, 1.0)
         return fft.irfft(self.spectrum * (0.5 + 0.5 * np.cos(np.pi * fall)), self.size)[: self.n]
+
+
+def autocorrelation(wave: np.ndarray) -> Autocorrelation:
+    """That of ``wave``, shape (n,), any unit."""
+    return autocorrelations(np.asarray(wave, dtype=np.float64)[None])[0]
+
+
+def autocorrelations(waves: np.ndarray) -> list[Autocorrelation]:
+    """Those of ``waves``, shape (count, n), transformed side by side in the precision they have."""
+    x = waves - waves.mean(axis=1, keepdims=True)
+    n = x.shape[1]
+    keep = n // 2 + 2
+    size = fft.next_fast_len(n + keep, real=True)
+    spectra = fft.rfft(x, size)
+    power = spectra.real**2 + spectra.imag**2
+    products = fft.irfft(power, size, overwrite_x=True)[:, :keep]
+    found = []
+    for wave, spectrum, of_wave in zip(x, spectra, products, strict=True):
+        values = of_wave.astype(np.float64, copy=False)
+        normalise(wave.astype(np.float64, copy=False), values)
+        found.append(Autocorrelation(values, spectrum, size, n))
+    return found

@@ -216,7 +216,7 @@ ROWS = (
         source="Hillenbrand, Cleveland & Erickson (1994)",
         needs=Needs.PHONATION,
         compute=lambda a: spectrum.cepstral_peak_prominence_db(
-            a.window(a.sound.far_pressure_pa), a.signals.sample_rate_hz
+            a.sound.far_pressure_pa[a.signals.window_start :], a.signals.sample_rate_hz
         ),
     ),
     MeasureSpec(

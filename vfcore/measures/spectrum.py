@@ -44,21 +44,21 @@ def h1_h2_db(wave: np.ndarray, fo_hz: float, sample_rate_hz: float) -> float | M
 
 
 def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> float | Missing:
-    """CPP of ``wave``, shape (n,), dB."""
+    """CPP of ``wave``, shape (n,), dB, worked out in the precision the wave has."""
     length, hop = round(CPP_FRAME_S * sample_rate_hz), round(CPP_HOP_S * sample_rate_hz)
     if len(wave) < length:
         return Missing(f"The measured half of the run is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
     filled, last_line = _transform_lengths(length, sample_rate_hz)
-    frames = np.zeros((1 + (len(wave) - length) // hop, filled))
+    frames = np.zeros((1 + (len(wave) - length) // hop, filled), wave.dtype)
     windowed_frames(plain(wave), _window(np.hamming, length), hop, frames)
     spectrum = fft.rfft(frames, axis=1, overwrite_x=True)
     lines = min(last_line + 1, spectrum.shape[1])
-    power = np.empty((len(frames), lines))
+    power = np.empty((len(frames), lines), wave.dtype)
     if not relative_power(spectrum, 10.0 ** (CPP_FLOOR_DB / 10.0), power):
         return Missing("There is no sound in part of the measured half of the run.")
     level = 10.0 * np.log10(power, out=power)
     cepstrum = np.abs(fft.irfft(level, 2 * (lines - 1), axis=1)[:, :lines])
-    cepstrum = 20.0 * np.log10(cepstrum + np.finfo(float).tiny, out=cepstrum)
+    cepstrum = 20.0 * np.log10(cepstrum + np.finfo(wave.dtype).tiny, out=cepstrum)
     quefrency = np.arange(lines) * (filled / sample_rate_hz) / (2 * (lines - 1))
     fitted_from, first = np.searchsorted(quefrency, (CPP_LINE_FROM_S, 1.0 / CPP_HIGHEST_HZ))
     last = np.searchsorted(quefrency, 1.0 / CPP_LOWEST_HZ, side="right")
