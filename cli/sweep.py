@@ -69,7 +69,7 @@ def sweep(
         typer.Option(
             "--precision",
             metavar="NAME",
-            help=f"float64, or float32: two thirds of the time, {SINGLE_PRECISION}",
+            help=f"float64, or float32: three fifths of the time, {SINGLE_PRECISION}",
             rich_help_panel=_HOW,
         ),
     ] = None,

@@ -36,7 +36,8 @@ class SweepBody(BaseModel):
         None, description="keys of GET /measures to compute; all when left out"
     )
     precision: Literal[PRECISIONS] = Field(
-        "float64", description=f"of the march; float32 computes a map in two thirds of the time, {SINGLE_PRECISION}"
+        "float64",
+        description=f"of march and transforms; float32 computes a map in three fifths of the time, {SINGLE_PRECISION}",
     )
     keep_waveforms: bool = Field(False, description="keep every point as a whole run as well; up to 500 points")
     fresh: bool = Field(False, description="compute again what is stored already")

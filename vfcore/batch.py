@@ -45,11 +45,11 @@ def run_points(
 ) -> Iterator[Point]:
     """Run the requests and yield one Point each, in their order.
 
-    ``measures``: the keys wanted, None for all of the catalogue. ``precision``: "float64" or "float32" of the march;
-    points with two-way coupling march one by one, in double precision. A point is the same, bit for bit, whatever
-    points run beside it. ``stop()`` is asked between chunks of voice; Cancelled is raised when it answers true. Any
-    other error belongs to its point and leaves the others alone. Raises ParameterError for an unknown measure or
-    precision.
+    ``measures``: the keys wanted, None for all of the catalogue. ``precision``: "float64" or "float32" of march and
+    transforms; points with two-way coupling march one by one, in double precision. A point is the same, bit for bit,
+    whatever points run beside it. ``stop()`` is asked between chunks of voice; Cancelled is raised when it answers
+    true. Any other error belongs to its point and leaves the others alone. Raises ParameterError for an unknown measure
+    or precision.
     """
     if precision not in PRECISIONS:
         raise ParameterError("precision", f"{precision!r} is not known", " | ".join(PRECISIONS))
