@@ -19,6 +19,7 @@ from vfcore.posture.equilibrium import solve_posture, solve_posture_batch
 from vfcore.simulate import prepare, simulate
 from vfcore.statics import static_shape_of
 from vocalis_bench import compare, machine, processes, reference
+from vocalis_bench.answers import POINTS, answers
 from vocalis_bench.count import count_step
 from vocalis_bench.rounds import turns
 
@@ -28,11 +29,17 @@ KERNEL_TARGET_S = 0.012  # 1 s of voice on one core
 PAPER_STEP_TARGET_S = 0.2
 PAPER_MINUTE_S = 60.0  # the paper: "under a minute" for a simulation of 1 s
 BATCH_VOICE_S = 1.0
+ANSWER_TARGET_S = 0.04  # 1 s of voice through HTTP
+MAP_TARGETS_S = {"map": 3.0, "map_single": 1.5}  # 441 runs of 1 s on two cores
+STATIC_BATCH_TARGET_S = 1.0
+#: At least: plain loop over kernel, and kernel over each voice of a batch.
+REFERENCE_TARGET, GAINS = 20.0, {"batch": 1.25, "single_precision": 2.0}
 
 
 class Row(NamedTuple):
     """One number of the table. ``value``: with the median of all rounds; ``quickest``: with the quickest turn of each
-    task, which is what the machine does while nobody else wants it; ``target``: at most this, in the same unit.
+    task, which is what the machine does while nobody else wants it; ``target``: at most this, in the same unit, and
+    ``at_least`` this.
     """
 
     key: str
@@ -41,15 +48,19 @@ class Row(NamedTuple):
     unit: str
     target: float | None = None
     quickest: float | None = None
+    at_least: float | None = None
 
 
 def run(rounds: int, fresh_processes: bool = True, progress: Callable[[str], None] = lambda what: None) -> list[Row]:
-    """Every row; ``progress`` is told what is being measured. ``fresh_processes``: memory, start-up, counts too."""
+    """Every row; ``progress`` is told what is being measured. ``fresh_processes``: memory, start-up, counts, and the
+    answers of a server too."""
     progress(f"timing, {rounds} rounds")
     with tempfile.TemporaryDirectory() as folder:
         seconds = turns(_tasks(Path(folder) / "result.nc"), rounds)
     rows = _beside(_timings, seconds)
     if fresh_processes:
+        progress("answers of a server")
+        rows += _beside(_answers, seconds | answers(rounds))
         progress("memory of a run")
         rows += _memory()
         progress("compiling from nothing")
@@ -129,7 +140,8 @@ def _timings(seconds: dict[str, float]) -> Iterator[Row]:
         "reference_s", f"plain compiled loop, step {reference.STEP_S * 1e6:.2f} µs",
         seconds["reference"], "s",
     )  # fmt: skip
-    yield Row("reference_ratio", "plain loop / kernel", seconds["reference"] / seconds["kernel"], "×")
+    ratio = seconds["reference"] / seconds["kernel"]
+    yield Row("reference_ratio", "plain loop / kernel", ratio, "×", at_least=REFERENCE_TARGET)
     yield Row(
         "paper_step_ratio", "plain loop / kernel at the paper's step",
         seconds["reference"] / seconds["kernel_paper_step"], "×",
@@ -137,14 +149,27 @@ def _timings(seconds: dict[str, float]) -> Iterator[Row]:
     for task, precision, label in (("batch", "float64", "batch"), ("batch_single", "float32", "single_precision")):
         each = seconds[task] / LANES[precision] / BATCH_VOICE_S
         yield Row(f"{label}_s", f"kernel, each of {LANES[precision]} voices in {precision}", each, "s")
+        yield Row(
+            f"{label}_gain", "  a voice alone / one of them", seconds["kernel"] / each, "×", at_least=GAINS[label]
+        )
         yield Row(f"{label}_ratio", "  plain loop / kernel", seconds["reference"] / each, "×")
-    yield Row("static_batch_s", f"{BATCH} static shapes, one after the other", seconds["static"] * BATCH, "s")
+    static_s = seconds["static"] * BATCH
+    yield Row("static_batch_s", f"{BATCH} static shapes, one after the other", static_s, "s", STATIC_BATCH_TARGET_S)
     yield Row("paper_minute_ratio", "the paper's minute / request → result", PAPER_MINUTE_S / seconds["result"], "×")
     yield from (Row(*row) for row in compare.rows(seconds))
     yield Row("result_s", "request → result, 1 s of voice", seconds["result"], "s")
     yield Row("stored_s", "request → stored netCDF, 1 s of voice", seconds["stored"], "s", STORED_TARGET_S)
     yield Row("peak_gflop_s", "this core: multiply-adds", _peak_gflop_s(seconds), "Gflop/s")
     yield Row("l1_gb_s", "this core: L1 bandwidth", _l1_gb_s(seconds), "GB/s")
+
+
+def _answers(seconds: dict[str, float]) -> Iterator[Row]:
+    yield Row("http_s", "request → whole answer through HTTP, 1 s of voice", seconds["http"], "s", ANSWER_TARGET_S)
+    runs, cores = POINTS**2, os.cpu_count() or 1
+    for name, label in (("map", f"map of {runs} runs of 1 s, request → table"), ("map_single", "  in float32")):
+        yield Row(f"{name}_s", label, seconds[name], "s", MAP_TARGETS_S[name])
+        plain_s = seconds["reference"] * runs / cores
+        yield Row(f"{name}_ratio", f"  plain loop on {cores} cores / map", plain_s / seconds[name], "×")
 
 
 def _peak_gflop_s(seconds: dict[str, float]) -> float:

@@ -64,12 +64,10 @@ def through_jobs(body: dict, workers: int, rounds: int = 1) -> dict:
     """Seconds of a sweep as a job, the median and the quickest of ``rounds``, workers started before; processor seconds
     of the server process and its workers, the mean."""
     with tempfile.TemporaryDirectory(prefix="vocalis-sweeps-") as folder, served(folder, workers) as (client, server):
-        warm = client.post("/jobs", json=grid(8, 2) | {"base": {"vowel": "i"}}).json()
-        while client.get(f"/jobs/{warm['id']}").json()["finished"] is None:
-            time.sleep(0.1)
+        start_workers(client)
         hands = children(server.pid)
         spent, worked = processor_s(server.pid), sum(map(processor_s, hands))
-        seconds = [_once(client, body, PRESSURE_PA + k * APART_PA) for k in range(rounds)]
+        seconds = [to_table(client, body, k) for k in range(rounds)]
         server_s = (processor_s(server.pid) - spent) / rounds
         workers_s = (sum(map(processor_s, hands)) - worked) / rounds
     return {
@@ -79,15 +77,28 @@ def through_jobs(body: dict, workers: int, rounds: int = 1) -> dict:
     }  # fmt: skip
 
 
-def _once(client: httpx.Client, body: dict, pressure_pa: float) -> float:
-    """Seconds from a sweep's request to the end of its events, at a pressure of its own: no point is known yet."""
+def start_workers(client: httpx.Client) -> None:
+    """Have every worker of a server started, its kernels loaded."""
+    warm = client.post("/jobs", json=grid(8, 2) | {"base": {"vowel": "i"}}).json()
+    while client.get(f"/jobs/{warm['id']}").json()["finished"] is None:
+        time.sleep(0.1)
+
+
+def to_table(client: httpx.Client, body: dict, nth: int) -> float:
+    """Seconds from a sweep's request to its table, read as a whole after its events; the ``nth`` has a pressure of its
+    own, so that no point is known yet. RuntimeError where the table has a gap."""
+    base = {"subglottal_pressure_pa": PRESSURE_PA + nth * APART_PA}
     began = time.perf_counter()
-    job = client.post("/jobs", json=body | {"base": {"subglottal_pressure_pa": pressure_pa}}).json()
+    job = client.post("/jobs", json=body | {"base": base}).json()
     with client.stream("GET", f"/jobs/{job['id']}/events") as stream:
         for line in stream.iter_lines():
             if line == "event: done":
                 break
-    return time.perf_counter() - began
+    table = client.get(f"/jobs/{job['id']}/result").json()
+    took = time.perf_counter() - began
+    if table["n_done"] != table["n_total"] or table["n_failed"]:
+        raise RuntimeError(f"{table['n_done']} of {table['n_total']} points, {table['n_failed']} without an answer")
+    return took
 
 
 def children(pid: int) -> list[int]:

@@ -8,7 +8,7 @@ from rich.table import Table
 
 from vfcore.document import json_text
 from vocalis_bench import history
-from vocalis_bench.suite import machine_description, run
+from vocalis_bench.suite import Row, machine_description, run
 from vocalis_bench.work import costs
 
 HELP = """
@@ -16,10 +16,11 @@ HELP = """
 
 Times are medians over interleaved rounds, after one that does not count, beside the quickest turn, which is what the
 machine does while nobody else wants it: posture, static shape, the compiled loop at its own and at the paper's step, a
-plain loop for comparison, request to stored file, memory, compilation. Operations and bytes a step are counted by
+plain loop for comparison, request to stored file, answers through HTTP and maps from request to table, memory,
+compilation. Operations and bytes a step are counted by
 running the loop's source on numbers that count; the best that this core can do is measured by two small loops.
 
-- `vocalis bench` — the whole table, about a minute, and cost against work
+- `vocalis bench` — the whole table, some two minutes, and cost against work
 - `vocalis bench --check` — also compare its ratios with earlier runs on this processor; a loss over 15 % exits with 1
 - `vocalis bench --quick --json` — one round, no fresh processes, nothing kept, for a script
 """
@@ -63,13 +64,12 @@ def _print(rows: list, work: list, machine: dict) -> None:
         ("median", "right"),
         ("quickest", "right"),
         ("", "left"),
-        ("at most", "right"),
+        ("wanted", "right"),
     ):
         table.add_column(header, justify=justify)
     for row in rows:
         quickest = "" if row.quickest is None else f"{row.quickest:,.4g}"
-        at_most = "" if row.target is None else f"{row.target:g}"
-        table.add_row(row.label, f"{row.value:,.4g}", quickest, row.unit, at_most)
+        table.add_row(row.label, f"{row.value:,.4g}", quickest, row.unit, _wanted(row))
     console = Console()
     console.print(table)
     if work:
@@ -87,6 +87,12 @@ def _print(rows: list, work: list, machine: dict) -> None:
             table.add_row(cost.table, cost.work, f"{1e3 * cost.seconds:,.4g}", f"{cost.each:,.4g}", cost.unit)
         console.print(table)
     console.print(", ".join(f"{value}" for value in machine.values()), style="dim", highlight=False)
+
+
+def _wanted(row: Row) -> str:
+    if row.at_least is not None:
+        return f"≥ {row.at_least:g}"
+    return "" if row.target is None else f"≤ {row.target:g}"
 
 
 def register(app: typer.Typer, summary: str) -> None:

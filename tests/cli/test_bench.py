@@ -12,9 +12,11 @@ from vfcore.kernels.layout import Layout
 from vfcore.params import PAPER_STEP_S, Run, Simulation
 from vfcore.simulate import prepare, simulate
 from vocalis_bench import history, suite
+from vocalis_bench.answers import answers
 from vocalis_bench.count import Counted, count_step
 from vocalis_bench.reference import plain_run
 from vocalis_bench.rounds import interleaved, turns
+from vocalis_bench.sweeps import served, to_table
 from vocalis_cli.main import main
 
 
@@ -118,6 +120,34 @@ def test_the_table_is_json_too(capsys):
     assert rows["kernel_paper_step_s"]["value"] > 4 * rows["kernel_s"]["value"]
     assert {"batch_ratio", "single_precision_ratio", "paper_minute_ratio"} <= set(rows)
     assert document["machine"]["cores"] >= 1
+
+
+def test_what_a_client_waits_for_is_timed_from_request_to_whole_answer():
+    seconds = answers(rounds=1, points=2, voices=2)
+    assert {name: len(took) for name, took in seconds.items()} == {"http": 2, "map": 1, "map_single": 1}
+    assert all(0.001 < took < 60 for of_kind in seconds.values() for took in of_kind)
+
+
+def test_a_map_with_a_gap_is_no_map(tmp_path):
+    body = {"kind": "sweep", "axes": [{"parameter": "run.time_step_s", "values": [1e-5, 1e-3]}]}
+    with (
+        served(str(tmp_path), 1) as (client, _),
+        pytest.raises(RuntimeError, match="2 of 2 points, 1 without an answer"),
+    ):
+        to_table(client, body, 0)
+
+
+def test_the_table_says_what_is_wanted(capsys, monkeypatch):
+    rows = [
+        suite.Row("a", "kernel", 0.5, "s", target=1.0),
+        suite.Row("b", "ratio", 30.0, "×", at_least=20.0),
+        suite.Row("c", "free", 7.0, "MB"),
+    ]
+    monkeypatch.setattr("vocalis_cli.bench.run", lambda rounds, **named: rows)
+    assert main(["bench", "--quick"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    endings = {line.split()[0]: line.rstrip() for line in lines if line.strip()}
+    assert endings["kernel"].endswith("≤ 1") and endings["ratio"].endswith("≥ 20") and endings["free"].endswith("MB")
 
 
 def test_the_quickest_turn_stands_beside_the_median(monkeypatch):
