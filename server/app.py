@@ -48,7 +48,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     errors.install(app)
     openapi.install(app)
     page.install(app)
-    app.add_middleware(GZipMiddleware, compresslevel=5, exclude_content_types=NOT_COMPRESSED)
+    # Level 5 takes twice as long over the table of a map, for 1 % less.
+    app.add_middleware(GZipMiddleware, compresslevel=4, exclude_content_types=NOT_COMPRESSED)
     app.add_middleware(Guard, access=services.access, body_bytes=services.settings.body_bytes)
     return app
 
