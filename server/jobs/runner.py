@@ -16,6 +16,8 @@ from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import Any
 
+from vfcore.memory import keep_freed_memory
+
 NICENESS = 10
 PROGRESS_EVERY_S = 0.1
 
@@ -52,6 +54,7 @@ def serve_work(pipe: Connection) -> None:
     """Main function of a worker process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C in a terminal reaches the whole group; the server ends us
     os.nice(NICENESS)
+    keep_freed_memory()
     while True:
         try:
             order, *rest = pipe.recv()

@@ -7,6 +7,8 @@ import threading
 import time
 from concurrent.futures import ProcessPoolExecutor
 
+from vfcore.memory import keep_freed_memory
+
 _LOOK_EVERY_S = 1.0
 
 
@@ -28,6 +30,7 @@ def end(pool: ProcessPoolExecutor) -> None:
 
 def _begin(parent: int) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the parent ends us
+    keep_freed_memory()
     threading.Thread(target=_watch, args=(parent,), daemon=True).start()
 
 
