@@ -2,11 +2,9 @@
 
 import os
 import tempfile
-import time
+from functools import partial
 
-import httpx
-
-from vocalis_bench.interactive import run
+from vocalis_bench.interactive import milliseconds, run
 from vocalis_bench.sweeps import grid, served, start_workers, to_table
 
 POINTS = 21  # of each of the two muscles of a map
@@ -18,18 +16,12 @@ def answers(rounds: int, points: int = POINTS, voices: int = VOICES) -> dict[str
     """Seconds of each answer, client to client, all workers started before: ``http``, of ``voices`` requests for 1 s of
     voice with all arrays; ``map`` and ``map_single``, of ``rounds`` maps in double and in single precision.
     """
-    body = grid(points, points)
-    with tempfile.TemporaryDirectory(prefix="vocalis-answers-") as folder, served(folder, os.cpu_count() or 1) as pair:
-        client = pair[0]
+    body, workers = grid(points, points), os.cpu_count() or 1
+    with tempfile.TemporaryDirectory(prefix="vocalis-answers-") as folder, served(folder, workers) as (client, _):
         start_workers(client)
-        _voice(client, 0.0)
-        found = {"http": [_voice(client, (1 + k) / (1 + voices)) for k in range(voices)]}
+        run(client, 0.0)
+        voice = partial(run, duration_s=1.0)
+        found = {"http": [1e-3 * took for took in milliseconds(voice, client, 0.001, voices)]}
         for name, precision in PRECISIONS.items():
             found[name] = [to_table(client, body | {"precision": precision}, k) for k in range(rounds)]
     return found
-
-
-def _voice(client: httpx.Client, ct: float) -> float:
-    began = time.perf_counter()
-    run(client, ct, duration_s=1.0).raise_for_status()
-    return time.perf_counter() - began

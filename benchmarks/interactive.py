@@ -67,12 +67,12 @@ def run(client: httpx.Client, ct: float, duration_s: float = RUN_S) -> httpx.Res
     return client.post("/simulate", json=body, headers={"Accept": "application/octet-stream"})
 
 
-def milliseconds(call: Callable, client: httpx.Client, offset: float) -> np.ndarray:
-    """Each of CALLS calls, client to client."""
+def milliseconds(call: Callable, client: httpx.Client, offset: float, calls: int = CALLS) -> np.ndarray:
+    """Each of ``calls`` calls, client to client."""
     times = []
-    for k in range(CALLS):
+    for k in range(calls):
         began = time.perf_counter()
-        call(client, offset + k / (2 * CALLS)).raise_for_status()
+        call(client, offset + k / (2 * calls)).raise_for_status()
         times.append(1e3 * (time.perf_counter() - began))
     return np.array(times)
 

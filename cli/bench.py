@@ -17,8 +17,8 @@ HELP = """
 Times are medians over interleaved rounds, after one that does not count, beside the quickest turn, which is what the
 machine does while nobody else wants it: posture, static shape, the compiled loop at its own and at the paper's step, a
 plain loop for comparison, request to stored file, answers through HTTP and maps from request to table, memory,
-compilation. Operations and bytes a step are counted by
-running the loop's source on numbers that count; the best that this core can do is measured by two small loops.
+compilation. Operations and bytes a step are counted by running the loop's source on numbers that count; the best that
+this core can do is measured by two small loops.
 
 - `vocalis bench` — the whole table, some two minutes, and cost against work
 - `vocalis bench --check` — also compare its ratios with earlier runs on this processor; a loss over 15 % exits with 1

@@ -1,10 +1,10 @@
 """What a finished job gives: document, arrays, sound, files."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import orjson
 from fastapi import APIRouter, Query, Response
-from fastapi.responses import StreamingResponse
+from fastapi.responses import JSONResponse, StreamingResponse
 
 from vfcore.audio import render, to_wav_bytes
 from vfcore.document import result_document
@@ -38,8 +38,10 @@ def result(job_id: str, shared: Shared, measures: Keys = None, partial: Partial 
     job = shared.desk.job(job_id)
     if job.kind == "sweep":
         table = shared.desk.table(job, partial)
-        return _json(table.document(None if measures is None else _names(measures)))
-    return _json(result_document(shared.desk.result(job)))
+        document = table.document(None if measures is None else _names(measures))
+        # Thousands of numbers, none of them NaN, which the standard library would write one by one.
+        return Response(orjson.dumps(document), media_type="application/json")
+    return JSONResponse(result_document(shared.desk.result(job)))
 
 
 @router.get(
@@ -111,11 +113,6 @@ def csv(job_id: str, shared: Shared, partial: Partial = False) -> Response:
             csv_lines(shared.desk.table(job, partial)), headers=_named(job_id, "csv"), media_type=CSV
         )
     return Response(csv_text(shared.desk.result(job)), headers=_named(job_id, "csv"), media_type=CSV)
-
-
-def _json(document: dict[str, Any]) -> Response:
-    """A table is thousands of numbers, which the standard library would write one by one."""
-    return Response(orjson.dumps(document), media_type="application/json")
 
 
 def _simulation(shared: Services, job_id: str) -> SimulationResult:
