@@ -176,25 +176,30 @@ def test_a_lesson_sets_the_model_and_says_what_to_see(visit, viewport):
 
 
 def test_the_strobe_shows_as_many_cycles_a_second_at_any_pitch(visit):
+    """Of the time that is shown: after a wait of over 100 ms, as on a busy machine, the motion goes on where it was."""
     here = visit(**MOVING)
     here.page.locator(".speed select").select_option("strobe 1")
-    moved = here.page.evaluate(
+    rate, steps = here.page.evaluate(
         """async () => {
           const { phase } = await import("/state/motion.js");
-          let last = phase.peek(), turned = 0, steps = 0;
+          let last = phase.peek(), before = null, turned = 0, shownMs = 0, steps = 0;
           const stop = phase.subscribe((now) => {
             if (now === last) return;
-            turned += now - last - Math.floor(now - last);
+            const at = performance.now();
+            if (before !== null) {
+              turned += now - last - Math.floor(now - last);
+              shownMs += Math.min(at - before, 100);
+            }
             steps++;
-            last = now;
+            [last, before] = [now, at];
           });
-          const start = performance.now();
           await new Promise((done) => setTimeout(done, 1500));
           stop();
-          return [turned / ((performance.now() - start) / 1e3), steps];
+          return [turned / (shownMs / 1e3), steps];
         }"""
     )
-    assert moved[0] == pytest.approx(1, abs=0.2) and moved[1] <= 40, "flashes, not a film"
+    assert rate == pytest.approx(1, abs=0.2)
+    assert 5 < steps <= 40, "flashes, not a film"
 
 
 def test_where_the_motion_is_stopped_the_numbers_are_those_of_the_picture(visit):
