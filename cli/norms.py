@@ -57,7 +57,7 @@ def norms(
         if study:
             document = study_document(pool, _update(bars, "study"))
         else:
-            columns = [(variant, coupling or VARIANTS[variant].meant_with)] if variant else SHOWN
+            columns = [(variant, coupling or VARIANTS[variant].coupling)] if variant else SHOWN
             scored = {}
             for name, way in columns:
                 column = f"{name}, {way}"

@@ -52,7 +52,7 @@ def score_variant(
     variant: str, coupling: str | None, pool: ProcessPoolExecutor, progress: Progress = lambda done, total: None
 ) -> dict[str, Any]:
     """Run and judge one variant; ``coupling`` None: the one it is meant with."""
-    choice = {"variant": variant, "coupling": coupling or VARIANTS[variant].meant_with}
+    choice = {"variant": variant, "coupling": coupling or VARIANTS[variant].coupling}
     base = simulation_from_dict({"model": choice, "activation": asdict(POSTURE)})
     return score_base(base, pool, progress)
 

@@ -41,7 +41,7 @@ def score_variant(
 ) -> Scored:  # fmt: skip
     """Run and judge ``claims`` for one model variant, with the source–tract coupling it is meant with."""
     began = perf_counter()
-    base = simulation_from_dict({"model": {"variant": variant, "coupling": VARIANTS[variant].meant_with}})
+    base = simulation_from_dict({"model": {"variant": variant, "coupling": VARIANTS[variant].coupling}})
     warm_up(base)
     gathered = gather(cases_for(base, claims), pool, progress)
     return Scored(base, gathered, judge(gathered.evidence, claims), perf_counter() - began)

@@ -95,7 +95,18 @@ class _Kind(BaseModel):
 
 
 _TOP, _OBJECTS = _parts()
-_OBJECT_FIELDS = {name: (model | None, None) for name, model in _OBJECTS.items()}
+#: Parts that may be null: a posture that is not given is solved from the muscles.
+MAY_BE_NULL = frozenset({"posture"})
+
+
+def _part_fields(objects: dict[str, type[BaseModel]]) -> dict[str, tuple[Any, Any]]:
+    return {
+        name: (model | None, None) if name in MAY_BE_NULL else (model, Field(default_factory=model))
+        for name, model in objects.items()
+    }
+
+
+_OBJECT_FIELDS = _part_fields(_OBJECTS)
 PostureBody = create_model(
     "PostureBody",
     __base__=_Kind,
@@ -115,7 +126,7 @@ GestureBody = create_model(
     __config__=STRICT,
     __doc__="A simulation in which numbers may be breakpoints over time, [[time in s, value], …].",
     kind=(Literal["simulation", "gesture"], "gesture"),
-    **(_MOVING_TOP | {name: (model | None, None) for name, model in _MOVING_OBJECTS.items()}),
+    **(_MOVING_TOP | _part_fields(_MOVING_OBJECTS)),
 )
 
 

@@ -27,7 +27,7 @@ class SweepBody(BaseModel):
 
     model_config = STRICT
     kind: Literal["sweep"]
-    base: SimulationBody | None = Field(None, description="what all points have in common")
+    base: SimulationBody = Field(default_factory=SimulationBody, description="what all points have in common")
     axes: Annotated[list[AxisBody], Field(min_length=1, max_length=MOST_AXES)] | None = None
     points: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = Field(
         None, description="numbers by dotted path, or nested as in a simulation"

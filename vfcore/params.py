@@ -69,37 +69,40 @@ class PostureOverride:
 COUPLING_GRADIENTS = ("inferior_stiff", "superior_stiff")
 SHEAR_FORMS = ("kelvin_voigt", "rotation")
 COUPLINGS = ("one_way", "two_way")
+#: Choices that a variant makes unless the request names them.
+BROUGHT_BY_VARIANT = ("posture_set", "coupling_gradient", "shear", "coupling")
 
 
 @dataclass(frozen=True, slots=True)
 class Model:
-    """Which equations: a variant, and overrides of what it stands for (None: the variant's own)."""
+    """Which equations: a variant, and overrides of what it stands for.
+
+    None takes the variant's own choice when the value is made, so that no field of a Model is ever None.
+    """
 
     variant: str = choice("paper", "model variant", tuple(VARIANTS), source="docs/model.md")
-    posture_set: str | None = choice(
-        None, "posturing constants", POSTURE_SETS, source="docs/model.md", help="None: the variant's own"
+    posture_set: str = choice(
+        None, "posturing constants", POSTURE_SETS, source="docs/model.md", help="null: the variant's own"
     )
-    coupling_gradient: str | None = choice(
+    coupling_gradient: str = choice(
         None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model.md"
     )
-    shear: str | None = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model.md")
+    shear: str = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model.md")
     coupling: str = choice(
-        "one_way", "source–tract coupling", COUPLINGS, source=f"{PAPER}, Acoustic output; two_way: Titze (2008)",
-        help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds",
+        None, "source–tract coupling", COUPLINGS, source=f"{PAPER}, Acoustic output; two_way: Titze (2008)",
+        help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds; null: "
+        "the variant's own",
     )  # fmt: skip
 
     def __post_init__(self):
         validate(self, "model.")
+        for name in BROUGHT_BY_VARIANT:
+            if getattr(self, name) is None:
+                object.__setattr__(self, name, getattr(VARIANTS[self.variant], name))
 
     def resolved(self) -> ModelVariant:
         """The choices in force, with overrides applied."""
-        base = VARIANTS[self.variant]
-        return replace(
-            base,
-            posture_set=self.posture_set or base.posture_set,
-            coupling_gradient=self.coupling_gradient or base.coupling_gradient,
-            shear=self.shear or base.shear,
-        )
+        return replace(VARIANTS[self.variant], **{name: getattr(self, name) for name in BROUGHT_BY_VARIANT})
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,7 +37,7 @@ def simulation_from_dict(document: Mapping[str, Any]) -> Simulation:
         raise ParameterError("kind", f"{document['kind']!r} is not a simulation", "simulation")
     model = _part(Model, document, "model")
     variant = model.resolved()
-    fold, posturing = _constants(document.get("constants"), variant, posture_set(variant.posture_set))
+    fold, posturing = _constants(document.get("constants", {}), variant, posture_set(variant.posture_set))
     values: dict[str, Any] = {
         "activation": _part(Activation, document, "activation"),
         "model": model,
@@ -87,7 +87,7 @@ def _constants(
     fold: dict[str, float] = {}
     muscles: dict[str, float] = {}
     names = constant_names()
-    for name, value in _mapping(overrides or {}, "constants").items():
+    for name, value in _mapping(overrides, "constants").items():
         if name in FOLD_NAMES:
             fold[name] = value
         elif name in names:
@@ -102,13 +102,15 @@ def _constants(
 
 
 def _part(kind, document: Mapping[str, Any], key: str):
-    values = _mapping(document.get(key) if document.get(key) is not None else {}, key)
+    values = _mapping(document.get(key, {}), key)
     fields = {field.name for field in dataclasses.fields(kind)}
     _known(values, tuple(fields), f"{key}.")
     return kind(**values)
 
 
 def _mapping(value, path: str) -> Mapping[str, Any]:
+    if value is None:
+        raise ParameterError(path, "null is not an object", "an object with named fields, or nothing at all")
     if not isinstance(value, Mapping):
         raise ParameterError(path, f"{type(value).__name__} is not an object", "an object with named fields")
     return value

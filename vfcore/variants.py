@@ -26,8 +26,8 @@ class Change:
 class ModelVariant:
     """The named choices that a variant stands for.
 
-    ``changes``: constants that differ from the paper's. ``meant_with``: the source–tract coupling it was made for; a
-    request chooses its own. ``airway_scale``: all lengths and diameters of both airways
+    ``changes``: constants that differ from the paper's. ``coupling``: the source–tract coupling it was made for,
+    which a request gets unless it names another. ``airway_scale``: all lengths and diameters of both airways
     over those of the published male ones.
     """
 
@@ -36,7 +36,7 @@ class ModelVariant:
     shear: str
     help: str
     changes: tuple[Change, ...] = ()
-    meant_with: str = "one_way"
+    coupling: str = "one_way"
     airway_scale: float = 1.0
 
     @property
@@ -128,7 +128,7 @@ VARIANTS = {
     "human": ModelVariant(
         "serry2026", "inferior_stiff", "kelvin_voigt",
         "Adult man: the paper's equations, ten constants set so that flow, pitch and level are of human size; the "
-        "paper's shapes and maps stay. Meant with coupling two_way.",
+        "paper's shapes and maps stay. Brings coupling two_way.",
         _HUMAN, "two_way",
     ),
     "human_female": ModelVariant(

@@ -7,6 +7,7 @@ from pathlib import Path
 from sqlalchemy import delete, func, select, update
 from sqlalchemy.dialects.sqlite import insert
 
+from vfcore.content import address
 from vfcore.files.stored import DamagedFile, load_result, save_result
 from vfcore.result import SimulationResult
 from vocalis_server.jobs.database import Database, told_plainly
@@ -53,6 +54,9 @@ class Archive:
         except FileNotFoundError:
             return None
         except DamagedFile:
+            self.drop([content])
+            return None
+        if address(result.request) != content:  # of an earlier version, which addressed its results otherwise
             self.drop([content])
             return None
         self._memory.put(content, result)

@@ -4,11 +4,13 @@ A job is one client's handle on shared, content-addressed work. Work stops only 
 """
 
 import threading
+from dataclasses import replace
 from typing import Any
 from uuid import uuid4
 
-from vfcore.content import canonical, content_hash
+from vfcore.content import address, canonical
 from vfcore.errors import ParameterError
+from vfcore.request import simulation_from_dict
 from vfcore.result import SimulationResult
 from vfcore.sweep.document import sweep_from_dict
 from vfcore.sweep.table import SweepTable
@@ -31,6 +33,8 @@ from vocalis_server.jobs.points import PointStore
 from vocalis_server.jobs.store import JobStore, KeyUse
 from vocalis_server.jobs.sweep_work import SweepWork
 from vocalis_server.jobs.work import Work
+
+STALE = "An earlier version of Vocalis made this result and addressed it otherwise; the same request makes it again."
 
 
 class Desk:
@@ -56,10 +60,21 @@ class Desk:
                 if job.work_id in begun:
                     continue
                 begun.add(job.work_id)
+                if address_of(job.request) != job.content:  # of an earlier version: nothing it stored is used
+                    self._readdress(job)
+                    begun.add(job.work_id)
                 if job.kind == "simulation" and not job.fresh and self._archive.is_kept(job.content):
                     self._ledger.finished(job.work_id, None)
                 else:
                     self._begin(job)
+
+    def _readdress(self, job: Job) -> None:
+        """Begin an unfinished job again at the address that this version gives its request."""
+        content, work_id = address_of(job.request), uuid4().hex
+        for handle in self._store.handles(job.work_id):
+            handle.content, handle.work_id = content, work_id
+            handle.n_done, handle.n_failed, handle.progress = 0, 0, 0.0
+            self._store.readdress(handle)
 
     def submit(
         self, client: str, request: dict[str, Any], fresh: bool = False, key: str | None = None, n_total: int = 1
@@ -68,7 +83,7 @@ class Desk:
 
         Raises QueueFull at a limit, StorageFull, ParameterError when the Idempotency-Key was used for another request.
         """
-        content = content_hash(request)
+        content = address_of(request)
         with self._lock:
             if key is not None and (known := self._recall(client, key, content)) is not None:
                 return known
@@ -107,15 +122,21 @@ class Desk:
                 "A sweep has its scalars at /result, result.nc and result.csv; arrays and sound are those of one run."
             )
         _check_finished(job)
+        request = simulation_from_dict(job.request)
+        if address(request) != job.content:
+            raise ResultGone(STALE)
         if (result := self._archive.get(job.content)) is None:
             raise ResultGone("The result made room for newer ones; the same request makes it again.")
-        return result
+        return replace(result, request=request)  # in the words of this job
 
     def table(self, job: Job, partial: bool = False) -> SweepTable:
         """The table of a sweep: of a finished one, or with ``partial`` what there is. NotFinished."""
         if not partial or job.status not in ACTIVE:
             _check_finished(job)
-        table = SweepTable(sweep_from_dict(job.request))
+        sweep = sweep_from_dict(job.request)
+        if sweep.content != job.content:
+            raise ResultGone(STALE)
+        table = SweepTable(sweep)
         return table.fill(self._points.rows(job.work_id, len(table.columns)))
 
     def dismiss(self, job_id: str) -> Job:
@@ -147,9 +168,10 @@ class Desk:
         use = self._store.recall(client, key)
         if use is None:
             return None
-        if use.content != content:
+        job = self._store.get(use.job_id)
+        if content != (use.content if job is None else address_of(job.request)):
             raise ParameterError("Idempotency-Key", "was used for another request", "a new key, or the same request")
-        return self._store.get(use.job_id)
+        return job if job and job.content == content else None  # an earlier version's result is made again
 
     def _same(self, client: str, kind: str, content: str) -> Job | None:
         has_result = kind == "sweep" or self._archive.has(content)
@@ -196,6 +218,13 @@ class Desk:
         ):
             if count >= limit:
                 raise QueueFull(f"There are {count} {name}, the most this server takes is {limit}.")
+
+
+def address_of(request: dict[str, Any]) -> str:
+    """The address of a canonical request of either kind."""
+    if request["kind"] == "sweep":
+        return sweep_from_dict(request).content
+    return address(simulation_from_dict(request))
 
 
 def _check_finished(job: Job) -> None:

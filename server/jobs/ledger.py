@@ -7,7 +7,7 @@ from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from typing import Any
 
-from vfcore.content import content_hash
+from vfcore.content import computation_address
 from vfcore.result import SimulationResult
 from vfcore.sweep.row import Row, columns, failed_row
 from vocalis_server.jobs.archive import Archive
@@ -117,7 +117,7 @@ class Ledger:
     def keep_results(self, task: Task, results: dict[int, SimulationResult]) -> None:
         """Whole results of points, where a sweep keeps them: at the address of the same single run."""
         for place, result in results.items():
-            self._archive.put(content_hash(task.work.sweep.document(task.positions[place])), result)
+            self._archive.put(computation_address(task.work.sweep.computation(task.positions[place])), result)
 
     @contextmanager
     def _counted(self, task: Task, failed: int) -> Iterator[list[Job]]:

@@ -63,6 +63,12 @@ class JobStore:
         """Unfinished jobs, oldest first."""
         return list(self._active.values())
 
+    def readdress(self, job: Job) -> None:
+        """Keep the new address of a job and of the work it waits for."""
+        with self._database.write() as connection:
+            connection.execute(update(JOBS).where(JOBS.c.id == job.id).values(content=job.content))
+            save_jobs(connection, [job])
+
     def get(self, job_id: str) -> Job | None:
         return self._in_mind(job_id) or self._first(JOBS.c.id == job_id)
 

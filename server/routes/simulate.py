@@ -1,11 +1,12 @@
 """POST /simulate: a short run, answered in one go."""
 
+from dataclasses import replace
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import JSONResponse
 
-from vfcore.content import canonical, content_hash
+from vfcore.content import address
 from vfcore.document import result_document
 from vfcore.errors import ParameterError
 from vfcore.params import Simulation
@@ -52,7 +53,7 @@ async def simulate(
 
 def _result(shared: Services, request: Simulation) -> tuple[str, SimulationResult]:
     """The kept result of a request, or a new one."""
-    content = content_hash(canonical(request))
+    content = address(request)
     result = shared.archive.get(content)
     if result is None:
         limit = shared.settings.simulate_duration_s
@@ -64,4 +65,4 @@ def _result(shared: Services, request: Simulation) -> tuple[str, SimulationResul
         check_cost(request, shared.settings.simulate_node_steps, "VOCALIS_SIMULATE_NODE_STEPS")
         result = run_simulation(request, stop=lambda: shared.events.closed)
         shared.archive.show(content, result)
-    return content, result
+    return content, replace(result, request=request)  # in the words of this request

@@ -111,7 +111,7 @@ class Jobs(RuleBasedStateMachine):
             if dies and len(task.positions) == 1:
                 self.shop.ledger.gave_up(task, "its worker died")
             else:
-                self.shop.ledger.computed(task, [row_of(work.sweep.document(k)) for k in task.positions])
+                self.shop.ledger.computed(task, [row_of(work.sweep.computation(k)) for k in task.positions])
                 self.computed |= set(task.addresses)
             self.shop.engine.in_flight.release(task.addresses)
         if work.is_complete:

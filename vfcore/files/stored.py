@@ -46,7 +46,7 @@ def load_result(path: str | os.PathLike) -> SimulationResult:
         return _built(SimulationResult, json.loads(arrays.pop(_HEAD).tobytes()), arrays)
     except FileNotFoundError:
         raise
-    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
+    except (VocalisError, OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
         raise DamagedFile(f"{path} cannot be read back: {error}") from error
 
 

@@ -10,6 +10,7 @@ from copy import deepcopy
 from dataclasses import dataclass, replace
 from typing import Any
 
+from vfcore.content import computation, content_hash
 from vfcore.errors import ParameterError
 from vfcore.gesture.track import Track, track_from_pairs
 from vfcore.params import VOWELS, Simulation
@@ -107,6 +108,18 @@ def gesture_to_dict(gesture: Gesture) -> dict[str, Any]:
     if gesture.vowels:
         document["vowel"] = [[time, vowel] for time, vowel in gesture.vowels]
     return document
+
+
+def gesture_address(gesture: Gesture) -> str:
+    """Where a rendered gesture is kept: of what it computes, as for a simulation."""
+    return content_hash(
+        {
+            "kind": "gesture",
+            "start": computation(gesture.start),
+            "tracks": {track.path: track.pairs() for track in gesture.tracks},
+            "vowels": gesture.vowels,
+        }
+    )
 
 
 def with_number(request: Simulation, path: str, value: float) -> Simulation:

@@ -37,7 +37,7 @@ def sweep_from_dict(document: Mapping[str, Any]) -> Sweep:
             "axes", "and points are both given" if points is not None else "is missing", "either axes or points"
         )
     sweep = Sweep(
-        base=_base(document.get("base")),
+        base=_base(document.get("base", {})),
         axes=_axes(axes) if axes is not None else (),
         points=_points(points) if points is not None else (),
         measures=_measures(document.get("measures")),
@@ -75,7 +75,7 @@ def _one_or_many(paths: tuple[str, ...]) -> str | list[str]:
 
 def _base(document: Any) -> Simulation:
     try:
-        base = simulation_from_dict({} if document is None else document)
+        base = simulation_from_dict(document)
     except ParameterError as error:
         path = "base" if error.path == "request" else f"base.{error.path}"
         raise ParameterError(path, error.message, error.allowed) from error

@@ -4,15 +4,13 @@ import os
 import sqlite3
 from collections.abc import Iterator, Sequence
 
-from vfcore.document import json_text
 from vfcore.errors import ParameterError
-from vfcore.sweep.document import sweep_to_dict
 from vfcore.sweep.plan import Sweep
 from vfcore.sweep.row import Row, decode, encode
 from vfcore.version import MODEL_VERSION
 
 _TABLES = """
-CREATE TABLE IF NOT EXISTS sweep (model TEXT NOT NULL, request TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS sweep (model TEXT NOT NULL, content TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS points (position INTEGER PRIMARY KEY, row BLOB NOT NULL);
 """
 
@@ -25,12 +23,12 @@ class Journal:
 
     def __init__(self, path: str | os.PathLike, sweep: Sweep):
         self.path = os.fspath(path)
-        wanted = (MODEL_VERSION, json_text(sweep_to_dict(sweep)))
+        wanted = (MODEL_VERSION, sweep.content)
         try:
             self._file = sqlite3.connect(self.path)
             self._file.executescript(_TABLES)
             with self._file:
-                found = self._file.execute("SELECT model, request FROM sweep").fetchone()
+                found = self._file.execute("SELECT * FROM sweep").fetchone()
                 if found is None:
                     self._file.execute("INSERT INTO sweep VALUES (?, ?)", wanted)
         except sqlite3.Error as error:

@@ -5,11 +5,10 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from vfcore.constants import FoldConstants
 from vfcore.errors import ParameterError
 from vfcore.fields import check_number
-from vfcore.params import PostureOverride, Simulation
-from vfcore.request import FOLD_NAMES, numeric_paths
+from vfcore.params import PostureOverride
+from vfcore.request import numeric_paths
 from vfcore.schema import parameter_schema
 
 
@@ -38,9 +37,9 @@ def check_value(path: str, value: Any, at: str) -> float | int:
     return int(value) if whole else float(value) + 0.0  # -0.0 is 0.0
 
 
-def document_with_numbers(document: dict[str, Any], values: Mapping[str, float], default: "Defaults") -> dict[str, Any]:
-    """The canonical document of ``with_numbers`` from the canonical one of its base, a hundred times faster."""
-    changed = dict(document)
+def computation_with_numbers(computation: dict[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
+    """The computation of ``with_numbers`` from the computation of its base, a hundred times faster."""
+    changed = dict(computation)
     copied: set[str] = set()
     for path, value in values.items():
         part, _, name = path.rpartition(".")
@@ -48,25 +47,10 @@ def document_with_numbers(document: dict[str, Any], values: Mapping[str, float],
             changed[name] = value
             continue
         if part not in copied:
-            changed[part] = dict(_POSTURE if document[part] is None else document[part])
+            changed[part] = dict(_POSTURE if computation[part] is None else computation[part])
             copied.add(part)
-        if part == "constants" and value == default.constant(name):
-            changed[part].pop(name, None)
-        else:
-            changed[part][name] = value
+        changed[part][name] = value
     return changed
 
 
 _POSTURE = dataclasses.asdict(PostureOverride())
-
-
-class Defaults:
-    """The constants a request has when none is overridden: of the paper, and of its set of posturing tables."""
-
-    def __init__(self, base: Simulation):
-        from vfcore.posture.tables import posture_set
-
-        self._fold, self._set = FoldConstants(), posture_set(base.model.resolved().posture_set)
-
-    def constant(self, name: str) -> float:
-        return getattr(self._fold, name) if name in FOLD_NAMES else self._set.value(name)

@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from vfcore.content import canonical, content_hash
+from vfcore.content import computation, computation_address, content_hash
+from vfcore.measures.catalogue import CATALOGUE
 from vfcore.params import Simulation
 from vfcore.request import with_numbers
-from vfcore.sweep.paths import Defaults, document_with_numbers, numbers
+from vfcore.sweep.paths import computation_with_numbers, numbers
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,18 +81,34 @@ class Sweep:
         """All of them, one at a time."""
         return (self.request(position) for position in range(len(self)))
 
-    def document(self, position: int) -> dict[str, Any]:
-        """The canonical request document of one point, without building the request."""
-        return document_with_numbers(self._document, self.numbers(position), self._defaults)
+    def computation(self, position: int) -> dict[str, Any]:
+        """``vfcore.content.computation`` of one point, without building its request."""
+        return computation_with_numbers(self._base_computation, self.numbers(position))
 
     def address(self, position: int) -> str:
-        """Where the scalars of one point are stored: shared by every sweep that asks for the same ones."""
-        return content_hash([self.document(position), self.precision, self.measures])
+        """Where the scalars of one point are stored: shared by every sweep that wants the same ones of it."""
+        return computation_address(self.computation(position), self.precision, self._columns)
+
+    @property
+    def content(self) -> str:
+        """The address of the whole sweep."""
+        asked = {
+            "kind": "sweep",
+            "base": self._base_computation,
+            "axes": [[axis.parameters, axis.values] for axis in self.axes],
+            "points": self.points,
+            "columns": self._columns,
+            "precision": self.precision,
+            "keep_waveforms": self.keep_waveforms,
+        }
+        return content_hash(asked)
 
     @cached_property
-    def _document(self) -> dict[str, Any]:
-        return canonical(self.base)
+    def _base_computation(self) -> dict[str, Any]:
+        return computation(self.base)
 
     @cached_property
-    def _defaults(self) -> Defaults:
-        return Defaults(self.base)
+    def _columns(self) -> list[tuple[str, str]]:
+        """The measures by name and version, so that rows of another catalogue are never taken for rows of this one."""
+        keys = CATALOGUE.keys() if self.measures is None else self.measures
+        return [(key, CATALOGUE[key].version) for key in keys]
