@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 
 from sqlalchemy import Connection, bindparam, delete, insert, select, update
 
-from vocalis_server.jobs.database import Database
-from vocalis_server.jobs.model import ACTIVE, Job, Status
-from vocalis_server.jobs.tables import JOBS, KEYS
+from vocalis.server.jobs.database import Database
+from vocalis.server.jobs.model import ACTIVE, Job, Status
+from vocalis.server.jobs.tables import JOBS, KEYS
 
 _FIELDS = tuple(field.name for field in fields(Job))
 _FIXED = {"id", "sequence", "client", "kind", "request", "content", "created"}

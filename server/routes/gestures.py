@@ -5,17 +5,17 @@ from dataclasses import replace
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import JSONResponse
 
-from vfcore.audio import to_wav_bytes
 from vfcore.errors import ParameterError
-from vfcore.gesture.document import contour_csv, gesture_document, gesture_netcdf_bytes
-from vfcore.gesture.gesture import gesture_address
-from vfcore.gesture.render import RenderedGesture, render
-from vocalis_server.gesture_schemas import GestureAnswer
-from vocalis_server.jobs.document import API
-from vocalis_server.jobs.model import ResultGone
-from vocalis_server.openapi import octets, problems
-from vocalis_server.request_schema import GestureBody, gesture_of
-from vocalis_server.services import Services, Shared
+from vfcore.io.audio import to_wav_bytes
+from vfcore.runs.gesture.document import contour_csv, gesture_document, gesture_netcdf_bytes
+from vfcore.runs.gesture.gesture import gesture_address
+from vfcore.runs.gesture.render import RenderedGesture, render
+from vocalis.server.http.openapi import octets, problems
+from vocalis.server.jobs.document import API
+from vocalis.server.jobs.model import ResultGone
+from vocalis.server.schemas.gestures import GestureAnswer
+from vocalis.server.schemas.requests import GestureBody, gesture_of
+from vocalis.server.services import Services, Shared
 
 router = APIRouter(prefix="/gestures", tags=["gestures"])
 WAV, NETCDF, CSV = "audio/wav", "application/x-netcdf", "text/csv"

@@ -7,14 +7,14 @@ import numpy as np
 from fastapi import APIRouter, Query
 from fastapi.responses import JSONResponse
 
-from vfcore.acoustics.airways import tract_of
-from vfcore.acoustics.area_functions import area_function
-from vfcore.acoustics.resonances import closed_glottis_formants, transfer_function
-from vfcore.constants import FoldConstants
-from vfcore.params import VARIANTS, VOWELS, Simulation
-from vfcore.request import simulation_from_dict
-from vocalis_server import schemas
-from vocalis_server.openapi import problems
+from vfcore.airways.coupled import tract_of
+from vfcore.airways.resonances import closed_glottis_formants, transfer_function
+from vfcore.spec.area_functions import area_function
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.simulation import VARIANTS, VOWELS, Simulation
+from vocalis.server.http.openapi import problems
+from vocalis.server.schemas import answers
 
 router = APIRouter(prefix="/tract", tags=["catalogue"])
 FORMANTS = 5  # all lie below HIGHEST_HZ for the tracts offered, at the air's usual sound speed
@@ -34,7 +34,7 @@ Speed = Annotated[
 ]
 
 
-@router.get("/{vowel}", responses={200: {"model": schemas.TractAnswer}} | problems(404, 422))
+@router.get("/{vowel}", responses={200: {"model": answers.TractAnswer}} | problems(404, 422))
 def tract(
     vowel: Literal[tuple(VOWELS)],
     variant: Annotated[Literal[tuple(VARIANTS)], Query(description="model variant, whose airways these are")] = "paper",

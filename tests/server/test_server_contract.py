@@ -8,13 +8,13 @@ import pytest
 
 import vfcore
 from tests.server.live_server import SHORT
-from vfcore.acoustics.airways import tract_of
-from vfcore.acoustics.resonances import closed_glottis_formants
-from vfcore.acoustics.tract import vowel_tract
-from vfcore.request import numeric_paths, simulation_from_dict
-from vfcore.result import ARRAYS
-from vfcore.simulate import prepare
-from vfcore.variants import VARIANTS
+from vfcore.airways.coupled import tract_of
+from vfcore.airways.resonances import closed_glottis_formants
+from vfcore.airways.tract import vowel_tract
+from vfcore.runs.one import prepare
+from vfcore.runs.result import ARRAYS
+from vfcore.spec.document import numeric_paths, simulation_from_dict
+from vfcore.spec.variants import VARIANTS
 
 OCTETS = {"Accept": "application/octet-stream"}
 

@@ -18,15 +18,15 @@ from tests.server.live_server import LONG, SHORT, events, finish, run, serving, 
 from tests.server.test_server_process import address, started
 from tests.server.test_server_refusals import problem
 from tests.server.test_sweep_jobs import LONG_SWEEP, MAP
-from vfcore.content import canonical
-from vfcore.document import result_document
 from vfcore.errors import ParameterError
-from vfcore.files.stored import DamagedFile, load_result, save_result
-from vfcore.request import simulation_from_dict
-from vfcore.sweep import sweep_from_dict, sweep_to_dict
-from vfcore.sweep.row import columns, failed_row
-from vocalis_server.jobs.model import ResultGone, Status
-from vocalis_server.jobs.retention import Limits
+from vfcore.io.result_document import result_document
+from vfcore.io.stored import DamagedFile, load_result, save_result
+from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
+from vfcore.runs.sweep.row import columns, failed_row
+from vfcore.spec.address import canonical
+from vfcore.spec.document import simulation_from_dict
+from vocalis.server.jobs.model import ResultGone, Status
+from vocalis.server.jobs.retention import Limits
 
 
 def test_a_result_is_the_same_after_a_restart_in_every_form(tmp_path):
@@ -79,7 +79,7 @@ def test_a_folder_that_cannot_be_used_is_one_clear_line(tmp_path):
     (tmp_path / "jobs").mkdir()
     (tmp_path / "jobs" / "jobs.sqlite").write_text("something else, and long enough for a header" * 100)
     for folder in (tmp_path / "file" / "jobs", tmp_path / "jobs"):
-        command = [sys.executable, "-m", "vocalis_server", "--port", "0"]
+        command = [sys.executable, "-m", "vocalis.server", "--port", "0"]
         environment = os.environ | {"VOCALIS_JOBS_DIRECTORY": str(folder)}
         ended = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
         assert ended.returncode != 0
@@ -214,7 +214,7 @@ def test_what_a_server_only_began_to_write_is_cleared_away(tmp_path):
 
 def test_nothing_that_an_earlier_version_stored_is_served_or_gone_on_with(tmp_path, monkeypatch):
     """Rows and results of a version with other addresses: a finished job says so, an unfinished one begins again."""
-    import vfcore.content as content
+    import vfcore.spec.address as content
 
     sweep = sweep_to_dict(
         sweep_from_dict({"points": [{}, {"activation.ct": 0.5}], "base": {"run": {"duration_s": 0.02}}})

@@ -6,14 +6,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfcore.content import address, computation
 from vfcore.errors import ParameterError
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.params import COUPLING_GRADIENTS, COUPLINGS, SHEAR_FORMS, VARIANTS, Simulation
-from vfcore.posture.tables import POSTURE_SETS, constant_names
-from vfcore.request import FOLD_NAMES, numeric_paths, simulation_from_dict
-from vfcore.sweep import sweep_from_dict
-from vfcore.sweep.paths import numbers
+from vfcore.runs.sweep import sweep_from_dict
+from vfcore.runs.sweep.paths import numbers
+from vfcore.spec.address import address, computation
+from vfcore.spec.document import FOLD_NAMES, numeric_paths, simulation_from_dict
+from vfcore.spec.posture_sets import POSTURE_SETS, constant_names
+from vfcore.spec.simulation import COUPLING_GRADIENTS, COUPLINGS, SHEAR_FORMS, VARIANTS, Simulation
 
 PAPER = Simulation()
 CHOICES = {

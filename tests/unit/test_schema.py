@@ -4,13 +4,13 @@ import dataclasses
 
 import pytest
 
-from vfcore.constants import FoldConstants
-from vfcore.document import json_text
-from vfcore.params import BROUGHT_BY_VARIANT, VARIANTS, VOWELS, Simulation
-from vfcore.posture.tables import POSTURE_SETS, posture_set
-from vfcore.presets import PRESETS
-from vfcore.request import simulation_from_dict, simulation_to_dict
-from vfcore.schema import GROUPS, parameter_catalogue, parameter_schema, sensible_step
+from vfcore.io.result_document import json_text
+from vfcore.spec.document import simulation_from_dict, simulation_to_dict
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
+from vfcore.spec.presets import PRESETS
+from vfcore.spec.schema import GROUPS, parameter_catalogue, parameter_schema, sensible_step
+from vfcore.spec.simulation import BROUGHT_BY_VARIANT, VARIANTS, VOWELS, Simulation
 
 ROWS = {row["key"]: row for row in parameter_schema()}
 

@@ -5,9 +5,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vfcore.errors import ParameterError
-from vfcore.request import numeric_paths
-from vfcore.sweep import sweep_from_dict, sweep_to_dict
-from vfcore.sweep.paths import numbers
+from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
+from vfcore.runs.sweep.paths import numbers
+from vfcore.spec.document import numeric_paths
 
 CT = {"parameter": "activation.ct", "values": [0, 0.5, 1]}
 
