@@ -33,10 +33,10 @@ export function wavesCsv(result) {
 /** A Python script that makes the request's voice again. Pure. `request`: the document of params.js. */
 export function pythonCode(request) {
   return `import vfcore
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 
 request = ${pythonLiteral(request)}
-result = vfcore.simulate(simulation_from_dict(request))
+result = vfcore.simulate(resolve(request))
 print(result.report.state)
 for key, measure in result.report.measures.items():
     print(key, measure.value, measure.unit)
