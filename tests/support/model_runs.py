@@ -1,4 +1,4 @@
-"""The tables of docs/model.md that come from runs of the model, and how two of them are compared.
+"""The tables of docs/model/ and docs/validation.md that come from runs, and how two of them are compared.
 
 Numbers of different machines may differ in the last digit printed, so tables are compared number by number.
 Where nothing repeats the motion is chaotic and no digit is reproducible: such a run is given by its state alone.
