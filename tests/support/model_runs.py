@@ -61,7 +61,7 @@ def grid() -> str:
 
 def separation() -> str:
     """The modal case with the ends of the air pressure on nodes, and between them (slow twin)."""
-    cases = [("on nodes, as in the product", "nodes", ny) for ny in (10, 20)]
+    cases = [("on nodes, as in Vocalis", "nodes", ny) for ny in (10, 20)]
     cases += [("separation point between nodes", "separation", 10), ("closure between nodes", "closure", 10)]
     cases += [("both between nodes", "both", ny) for ny in (10, 20)]
     rows = []
