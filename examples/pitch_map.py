@@ -21,9 +21,9 @@ def main() -> None:
     )
     table = run_sweep(sweep)
     pitch = table.measure("fo_hz")  # shape (CT, TA); NaN where there is no pitch
-    print("f_o in Hz   " + "  ".join(f"TA {ta:g}" for ta in TA))
+    print("f_o in Hz  " + "  ".join(f"TA {ta:g}" for ta in TA))
     for ct, row in zip(CT, pitch, strict=True):
-        print(f"CT {ct:<8g} " + "  ".join("   –" if np.isnan(value) else f"{value:6.1f}" for value in row))
+        print(f"CT {ct:<8g} " + "  ".join("     –" if np.isnan(value) else f"{value:6.1f}" for value in row))
     write_netcdf(table, "map.nc")
 
 
