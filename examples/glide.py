@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from vfcore.audio import to_wav_bytes
-from vfcore.gesture.gesture import gesture_from_dict
-from vfcore.gesture.render import render
+from vfcore.io.audio import to_wav_bytes
+from vfcore.runs.gesture.gesture import gesture_from_dict
+from vfcore.runs.gesture.render import render
 
 # A list of [time in s, value] may replace a number of a request.
 gesture = gesture_from_dict({"activation": {"ct": [[0.2, 0.1], [0.8, 0.9]]}, "run": {"duration_s": 1.0}})

@@ -5,8 +5,8 @@ The guard at the end matters: worker processes import this file again.
 
 import numpy as np
 
-from vfcore.sweep import run_sweep, sweep_from_dict
-from vfcore.sweep.files import write_netcdf
+from vfcore.runs.sweep import run_sweep, sweep_from_dict
+from vfcore.runs.sweep.files import write_netcdf
 
 CT, TA = (0.0, 0.5, 1.0), (0.1, 0.4)
 

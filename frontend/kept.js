@@ -33,7 +33,7 @@ export function wavesCsv(result) {
 /** A Python script that makes the request's voice again. Pure. `request`: the document of params.js. */
 export function pythonCode(request) {
   return `import vfcore
-from vfcore.request import simulation_from_dict
+from vfcore.spec.document import simulation_from_dict
 
 request = ${pythonLiteral(request)}
 result = vfcore.simulate(simulation_from_dict(request))

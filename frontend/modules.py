@@ -1,12 +1,12 @@
 """What the page fetches first, told to browsers in one go: without it they find module after module, level by level.
 
-``python -m vocalis_frontend.modules`` writes the list into index.html; a test holds it to what the modules import.
+``python -m vocalis.frontend.modules`` writes the list into index.html; a test holds it to what the modules import.
 """
 
 import re
 from pathlib import Path
 
-FOLDER = Path(__file__).parent
+FOLDER = Path(__file__).resolve().parent
 INDEX = FOLDER / "index.html"
 IMPORT = re.compile(
     r"""^(?:import|export|\}).*?["'](\.{1,2}/[^"']+\.js)["'];?|(?:from|import)["'](\.{1,2}/[^"']+\.js)["']""", re.M

@@ -7,14 +7,14 @@ import pytest
 
 from tests.support.model_runs import RUNS, differences
 from tests.support.model_tables import DOCS, PAGES, TABLES, block, page_of
-from vfcore.constants import FoldConstants
+from vfcore.larynx.posture.solution import PostureSolution
+from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.params import Activation, Model, PostureOverride, Run, Simulation
-from vfcore.posture.solution import PostureSolution
-from vfcore.posture.tables import constant_names
-from vfcore.result import ARRAYS
-from vfcore.tissue.coefficients import Coefficients
-from vocalis_paper.report_ship import pages as pages_of_the_paper_study
+from vfcore.runs.result import ARRAYS
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.posture_sets import constant_names
+from vfcore.spec.simulation import Activation, Model, PostureOverride, Run, Simulation
+from vocalis.studies.paper.report.ship import pages as pages_of_the_paper_study
 
 TEXT = {path.relative_to(DOCS).as_posix(): path.read_text(encoding="utf-8") for path in DOCS.rglob("*.md")}
 REWRITE = "run `python -m tests.support.model_tables --write --runs` and read what changed"
