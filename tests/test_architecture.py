@@ -1,4 +1,4 @@
-"""The rooms of docs/implementation.md, held: who may import whom, and what may stand where."""
+"""The layers of docs/architecture.md, held: who may import whom, and what may stand where."""
 
 import ast
 import re

@@ -1,4 +1,4 @@
-"""The tables of docs/model.md that come from runs of the model, and how two of them are compared.
+"""The tables of docs/model/ and docs/validation.md that come from runs, and how two of them are compared.
 
 Numbers of different machines may differ in the last digit printed, so tables are compared number by number.
 Where nothing repeats the motion is chaotic and no digit is reproducible: such a run is given by its state alone.
@@ -61,7 +61,7 @@ def grid() -> str:
 
 def separation() -> str:
     """The modal case with the ends of the air pressure on nodes, and between them (slow twin)."""
-    cases = [("on nodes, as in the product", "nodes", ny) for ny in (10, 20)]
+    cases = [("on nodes, as in Vocalis", "nodes", ny) for ny in (10, 20)]
     cases += [("separation point between nodes", "separation", 10), ("closure between nodes", "closure", 10)]
     cases += [("both between nodes", "both", ny) for ny in (10, 20)]
     rows = []

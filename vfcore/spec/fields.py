@@ -1,6 +1,6 @@
 """One declaration per number: unit, label, range, source and help travel with the field.
 
-The parameter schema, the validator, the command line's help and docs/model.md all read
+The parameter schema, the validator, the command line's help and docs/reference/ all read
 the metadata that ``quantity`` attaches to a dataclass field.
 """
 

@@ -16,7 +16,7 @@ from vfcore.spec.variants import VARIANTS
 VOWELS = ("i", "I", "e", "E", "AE", "V", "a", "O", "o", "U", "u")
 SECTION_TRAVEL_S = 0.0025 / 350.0  # one 0.25 cm tract section at the paper's speed of sound
 PAPER_STEP_S = SECTION_TRAVEL_S / 4  # 1.7857e-6 s, the paper's time step
-DEFAULT_STEP_S = SECTION_TRAVEL_S * 5  # 35.71e-6 s: output at 28 kHz, see docs/implementation.md
+DEFAULT_STEP_S = SECTION_TRAVEL_S * 5  # 35.71e-6 s: output at 28 kHz, see docs/model/numerics.md
 
 _MUSCLE = "normalised activation, 0 relaxed to 1 full"
 
@@ -85,14 +85,14 @@ class Model:
     None takes the variant's own choice when the value is made, so that no field of a Model is ever None.
     """
 
-    variant: str = choice("paper", "model variant", tuple(VARIANTS), source="docs/model.md")
+    variant: str = choice("paper", "model variant", tuple(VARIANTS), source="docs/model/choices.md")
     posture_set: str = choice(
-        None, "posturing constants", POSTURE_SETS, source="docs/model.md", help="null: the variant's own"
+        None, "posturing constants", POSTURE_SETS, source="docs/reference/constants.md", help="null: the variant's own"
     )
     coupling_gradient: str = choice(
-        None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model.md"
+        None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model/choices.md, row 3"
     )
-    shear: str = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model.md")
+    shear: str = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model/choices.md, row 6")
     coupling: str = choice(
         None, "source–tract coupling", COUPLINGS, source=f"{PAPER}, Acoustic output; two_way: Titze (2008)",
         help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds; null: "
@@ -133,7 +133,7 @@ class Run:
     )  # fmt: skip
 
     error_estimate: bool = flag(
-        False, "error bars of the measures", source="docs/model.md, section 4",
+        False, "error bars of the measures", source="docs/model/numerics.md",
         help="two more runs on finer grids say how far each measure is from the limit of a fine grid; about 12 times "
         "the work",
     )  # fmt: skip

@@ -79,7 +79,7 @@ _HUMAN = (
     Change(
         "sigma_2_muc_pa", 1600.0,
         "Its slope at rest length becomes 50 kPa instead of 32; measured in the lamina propria are some 30 kPa at low "
-        "strain and 10 to 15 times that at high strain (Alipour & Vigmostad 2012). The more of f_o hangs on "
+        "strain and 10 to 15 times that at high strain (Alipour & Vigmostad 2012). The more f_o depends on "
         "the length, the more TA, which shortens the folds, lowers it.",
     ),
     Change(

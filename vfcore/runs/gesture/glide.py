@@ -4,7 +4,8 @@ The fold's equations hold at fixed material points: node (i, j) stays at x/L = i
 the layers' depths change. The layers are incompressible, so the mass that belongs to a node does not change (ρ_s dx dy
 and ρ_l dx are constant in λ), and m ẅ = F needs no further term: displacement and velocity are carried over as they
 are, and every coefficient takes its present value. Left out, with their size in the fastest glide that is allowed
-(docs/model.md): the inertia of the frame that turns with θ_g, and the speed of the medial plane in the contact damper.
+(docs/model/equations.md): the inertia of the frame that turns with θ_g, and the speed of the medial plane in the
+contact damper.
 
 Between the folds at both ends of a block every fixed number of the buffer moves along a straight line, in stretches of
 STRETCH_STEPS; the middle of each is used, so the error is second order in it.
