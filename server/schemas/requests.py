@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 
 from vfcore.runs.gesture.gesture import MOVABLE, Gesture, gesture_from_dict
 from vfcore.runs.gesture.track import LATEST_S, MOST_BREAKPOINTS
-from vfcore.spec.paths import NAMES_IN, OPTIONAL_PARTS
+from vfcore.spec.paths import LARYNX, NAMES_IN, OPTIONAL_PARTS
 from vfcore.spec.request import resolve
 from vfcore.spec.schema import parameter_schema
 from vfcore.spec.simulation import Simulation
@@ -24,12 +24,12 @@ ROWS: dict[str, dict[str, Any]] = {row["key"]: row for row in parameter_schema()
 
 def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
     """The (type, default) pair of ``create_model`` for one parameter; ``moving``: breakpoints may stand for it."""
-    by_set = "default_by_posture_set" in row
+    by_larynx = row["key"].startswith(f"{LARYNX}.")
 
     def extra(schema: dict[str, Any]) -> None:
         if row["unit"] is not None:
             schema["unit"] = row["unit"]
-        if by_set:  # not given: the value of the posture set in force, so there is no one default to show
+        if by_larynx:  # not given: the value of the variant and posture set in force, so no one default can be shown
             schema.pop("default", None)
 
     text = " — ".join(text for text in (row["help"], row["source"]) if text)
@@ -48,7 +48,7 @@ def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
         kind = Annotated[Any, WithJsonSchema({"anyOf": [_one(row), _breakpoints(row)]})]  # the core validates it
     if row["nullable"]:
         kind = kind | None
-    return Annotated[kind, *about], None if by_set else row["default"]
+    return Annotated[kind, *about], None if by_larynx else row["default"]
 
 
 def _one(row: dict[str, Any]) -> dict[str, Any]:

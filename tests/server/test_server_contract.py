@@ -13,8 +13,9 @@ from vfcore.airways.resonances import closed_glottis_formants
 from vfcore.airways.tract import vowel_tract
 from vfcore.runs.one import prepare
 from vfcore.runs.result import ARRAYS
+from vfcore.spec.address import address
 from vfcore.spec.paths import NUMBERS
-from vfcore.spec.request import resolve
+from vfcore.spec.request import document_of, resolve, values_of
 from vfcore.spec.variants import VARIANTS
 
 OCTETS = {"Accept": "application/octet-stream"}
@@ -191,11 +192,23 @@ def test_what_is_served_is_in_the_words_of_the_request_that_was_made(client):
     assert by_constants["provenance"]["request"]["constants"] == spelled["constants"]
 
 
-@pytest.mark.parametrize("part", ["activation", "model", "run", "constants"])
-@pytest.mark.parametrize("path", ["/simulate", "/posture", "/jobs", "/gestures"])
+NULLS = [(path, part) for path in ("/simulate", "/posture", "/jobs", "/gestures") for part in ("activation", "model",
+         "constants")] + [(path, "run") for path in ("/simulate", "/jobs", "/gestures")]  # fmt: skip
+
+
+@pytest.mark.parametrize(("path", "part"), NULLS)
 def test_a_part_that_is_null_is_refused(client, path, part):
-    if (path, part) == ("/posture", "run"):
-        pytest.skip("a posture has no run")
     answer = client.post(path, json={part: None})
     assert answer.status_code == 422 and [error["path"] for error in answer.json()["errors"]] == [part]
     assert client.post("/posture", json={"posture": None}).status_code == 200
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_a_request_is_resolved_as_the_core_resolves_it(client, variant):
+    """Values, shortest patch, document and address; and a run of the same body answers at that address."""
+    body = {"model": {"variant": variant}, "constants": {"K_col_pa_m": 1e6}, "run": {"duration_s": 0.02}}
+    answer, wanted = client.post("/resolve", json=body).json(), resolve(body)
+    assert answer["values"] == values_of(wanted) and answer["request"] == document_of(wanted)
+    assert resolve(answer["patch"]) == wanted == resolve(answer["request"])
+    assert client.post("/simulate", json=body).json()["id"] == answer["id"] == address(wanted)
+    assert client.post("/resolve", json={"activation": {"ta": 9}}).json()["errors"][0]["path"] == "activation.ta"

@@ -9,7 +9,7 @@ from typing import Any
 
 from vfcore.spec.area_functions import area_function
 from vfcore.spec.larynx import CONSTANTS
-from vfcore.spec.paths import DECLARATIONS, LARYNX, Declaration
+from vfcore.spec.paths import DECLARATIONS, LARYNX, PARTS, Declaration
 from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
 from vfcore.spec.presets import PRESETS
 from vfcore.spec.simulation import VOWELS
@@ -17,9 +17,14 @@ from vfcore.spec.variants import VARIANTS
 
 MUSCLES, BREATH, TRACT, MODEL, POSTURE, RUN = "muscles", "breath", "tract", "model", "posture", "run"
 FOLD_CONSTANTS, POSTURING_CONSTANTS = "constants", "posturing constants"
-GROUPS = (MUSCLES, BREATH, TRACT, MODEL, POSTURE, RUN, FOLD_CONSTANTS, POSTURING_CONSTANTS)
 
 _GROUP_OF_PART = {"activation": MUSCLES, "model": MODEL, "posture": POSTURE, "run": RUN}
+#: In the order of display. A part that is named nowhere here is a group of its own name.
+GROUPS = (
+    *(MUSCLES, BREATH, TRACT, MODEL, POSTURE, RUN),
+    *(part for part in PARTS if part not in _GROUP_OF_PART),
+    *(FOLD_CONSTANTS, POSTURING_CONSTANTS),
+)
 _GROUP_OF_PATH = {"subglottal_pressure_pa": BREATH, "convergence_angle_rad": POSTURE, "vowel": TRACT}
 _KEYWORDS = {
     "i": "heed", "I": "hid", "e": "hayed", "E": "head", "AE": "had", "V": "hud", "a": "hod", "O": "hawed", "o": "hoed",
@@ -79,7 +84,7 @@ def _row(declaration: Declaration) -> dict[str, Any]:
 def _group(declaration: Declaration) -> str:
     if declaration.part == LARYNX:
         return POSTURING_CONSTANTS if CONSTANTS[declaration.name].table == "posturing" else FOLD_CONSTANTS
-    return _GROUP_OF_PATH.get(declaration.path) or _GROUP_OF_PART[declaration.part]
+    return _GROUP_OF_PATH.get(declaration.path) or _GROUP_OF_PART.get(declaration.part, declaration.part)
 
 
 def sensible_step(default: float | None, low: float, high: float) -> float:
