@@ -20,7 +20,7 @@ from vfcore.runs.one import prepare
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.joints import JointConstants
 from vfcore.spec.muscles import Muscle
-from vfcore.spec.posture_sets import POSTURE_SETS, SOURCES, posture_set
+from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
@@ -91,7 +91,7 @@ def posture_sets() -> str:
     """Where the other sets differ from the default one."""
     default = posture_set("serry2026")
     rows = []
-    for name in POSTURE_SETS[1:]:
+    for name in list(POSTURE_SETS)[1:]:
         constants = posture_set(name)
         for f in dataclasses.fields(Muscle):
             own = {key: getattr(getattr(constants, key), f.name) for key in ROWS}
@@ -101,7 +101,10 @@ def posture_sets() -> str:
 
 
 def sources() -> str:
-    return table(("set", "source"), ((f"`{name}`", source) for name, source in SOURCES.items()))
+    return table(
+        ("set", "source"),
+        ((f"`{name}`", row.source) for name, row in POSTURE_SETS.items()),
+    )
 
 
 def numbers() -> str:

@@ -87,8 +87,12 @@ class Model:
 
     variant: str = choice("paper", "model variant", tuple(VARIANTS), source="docs/model/choices.md")
     posture_set: str = choice(
-        None, "posturing constants", POSTURE_SETS, source="docs/reference/constants.md", help="null: the variant's own"
-    )
+        None,
+        "posturing constants",
+        tuple(POSTURE_SETS),
+        source="docs/reference/constants.md",
+        help="null: the variant's own",
+    )  # fmt: skip
     coupling_gradient: str = choice(
         None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model/choices.md, row 3"
     )
