@@ -7,7 +7,7 @@ the metadata that ``quantity`` attaches to a dataclass field.
 import dataclasses
 import math
 import sys
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from functools import cache
 from numbers import Real
 from typing import Any
@@ -78,7 +78,8 @@ def part(kind: type, *, optional: bool = False) -> Any:
 
 def validate(instance: Any, prefix: str = "") -> None:
     """Check every declared field of a dataclass; raise ParameterError for the first bad one."""
-    for name, low, high, spec in _declared(type(instance)):
+    kind: Hashable = type(instance)
+    for name, low, high, spec in _declared(kind):
         value = getattr(instance, name)
         if type(value) is float and low <= value <= high:  # what nearly every value is: not NaN, and in range
             continue
@@ -103,7 +104,7 @@ def check_value(path: str, value: Any, metadata: Mapping[str, Any]) -> None:
 
 
 @cache
-def _declared(kind: type) -> tuple[tuple[str, float, float, dataclasses.Field], ...]:
+def _declared(kind: Any) -> tuple[tuple[str, float, float, dataclasses.Field], ...]:
     """Name, range and declaration of the fields to check; the range of all but floats is empty."""
     found = []
     for spec in dataclasses.fields(kind):
@@ -120,7 +121,7 @@ def check_number(path: str, value: Any, low: float, high: float, unit: str = "",
         return  # nearly always; a hundred of them stand in every request
     unit_text = f" {unit}" if unit and unit != "1" else ""
     allowed = f"{low:g} to {high:g}{unit_text}"
-    if isinstance(value, bool) or not isinstance(value, Real):
+    if not is_number(value):
         raise ParameterError(path, f"{value!r} is not a number", allowed)
     if not abs(value) < math.inf:  # not isfinite: an int may be larger than any float
         raise ParameterError(path, f"{value!r} is not finite", allowed)
@@ -129,3 +130,8 @@ def check_number(path: str, value: Any, low: float, high: float, unit: str = "",
         raise ParameterError(path, f"{shown} is out of range", allowed)
     if integer and value != int(value):
         raise ParameterError(path, f"{value!r} is not a whole number", allowed)
+
+
+def is_number(value: Any) -> bool:
+    """Whether a value is a real number; true and false are none."""
+    return isinstance(value, Real) and not isinstance(value, bool)

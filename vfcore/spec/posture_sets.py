@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vfcore.errors import ParameterError
 from vfcore.spec.fields import PAPER, check_number, validate
@@ -176,7 +176,8 @@ class PosturingConstants(JointConstants):
         """
         if not values:
             return self
-        changes: dict[str | None, dict[str, float]] = {}
+        joints: dict[str, Any] = {}
+        rows: dict[str, dict[str, float]] = {}
         for name, value in values.items():
             if name not in _PLACES:
                 known = "a name such as L_0_posture_m or LCA_rest_length_m"
@@ -184,14 +185,15 @@ class PosturingConstants(JointConstants):
             metadata = CONSTANTS[name]
             check_number(f"constants.{name}", value, metadata["low"], metadata["high"], metadata["unit"])
             key, field_name = _PLACES[name]
-            changes.setdefault(key, {})[field_name] = float(value)
-        joints = changes.pop(None, {})
-        return replace(self, **joints, **{key: replace(getattr(self, key), **row) for key, row in changes.items()})
+            (joints if key is None else rows.setdefault(key, {}))[field_name] = float(value)
+        muscles: dict[str, Any] = {key: replace(getattr(self, key), **row) for key, row in rows.items()}
+        return replace(self, **joints, **muscles)
 
 
-def _register():
+def _register() -> tuple[dict[str, tuple[str | None, str]], Mapping[str, Mapping[str, Any]]]:
     """Flat override name -> (row or None, field), and flat name -> metadata; joints first."""
-    places, metadata = {}, {}
+    places: dict[str, tuple[str | None, str]] = {}
+    metadata: dict[str, Mapping[str, Any]] = {}
     for spec in fields(JointConstants):
         places[spec.name], metadata[spec.name] = (None, spec.name), spec.metadata
     for key, prefix in _PREFIX.items():
@@ -208,7 +210,7 @@ def _register():
 _PLACES, CONSTANTS = _register()
 
 
-def constant_names():
+def constant_names() -> Mapping[str, Mapping[str, Any]]:
     """Read-only mapping of every override name to its metadata (unit, label, low, high, source, symbol)."""
     return CONSTANTS
 
@@ -219,5 +221,6 @@ def posture_set(name: str) -> PosturingConstants:
     if name not in POSTURE_SETS:
         raise ParameterError("model.posture_set", f"{name!r} is not known", " | ".join(POSTURE_SETS))
     chosen = POSTURE_SETS[name]
-    muscles = {key: Muscle(*chosen.geometry[key], *chosen.stresses[key]) for key in _PREFIX}
-    return PosturingConstants(set_name=name, source=chosen.source, **chosen.joints, **muscles)
+    numbers: dict[str, Any] = dict(chosen.joints)
+    numbers |= {key: Muscle(*chosen.geometry[key], *chosen.stresses[key]) for key in _PREFIX}
+    return PosturingConstants(set_name=name, source=chosen.source, **numbers)

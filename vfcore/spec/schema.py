@@ -58,7 +58,8 @@ def parameter_catalogue() -> dict[str, Any]:
 def _row(declaration: Declaration) -> dict[str, Any]:
     metadata, default = declaration.metadata, declaration.default
     options = metadata.get("options")
-    low, high = metadata.get("low"), metadata.get("high")
+    low: Any = metadata.get("low")
+    high: Any = metadata.get("high")
     row = {
         "key": declaration.path,
         "label": metadata["label"],
