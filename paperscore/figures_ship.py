@@ -16,7 +16,7 @@ from vocalis_paper.report_ship import SCOREBOARD, shipped
 from vocalis_paper.run import warm_up, workers
 from vocalis_paper.run_document import provenance
 
-FIGURES = Path(__file__).parents[1] / "frontend" / "data" / "paper.json"
+FIGURES = Path(__file__).parents[1] / "frontend" / "features" / "paper" / "paper.json"
 
 
 def claims(scoreboard: dict[str, Any]) -> list[dict[str, Any]]:

@@ -1,6 +1,5 @@
-/** Where in the cycle the page looks: one phase shared by stage, maps and waves, still or in slow motion. */
-import { signal } from "../ui.js";
-import { readonly } from "./readonly.js";
+/** The phase of the cycle that stage, maps and waves show: at rest, in slow motion, or under a strobe. */
+import { readonly, signal } from "../core/ui.js";
 
 export const RATES = [25, 50, 100, 200, 400];
 

@@ -1,16 +1,16 @@
-/** What is asked of the model: the schema, every value, and what the last hand movement started from. */
-import { batch, computed, signal } from "../ui.js";
-import { capital, defaultValues, flatten, presetOf, presetValues } from "../params.js";
-import { readonly } from "./readonly.js";
+/** The request: the schema, every value, and the movement of a control that a change belongs to. */
+import { batch, computed, readonly, signal } from "../core/ui.js";
+import { capital, defaultValues, flatten, presetOf, presetValues } from "../core/parameters.js";
 
-const GESTURE_PAUSE_MS = 1500;
+const MOVEMENT_PAUSE_MS = 1500;
 const TIED = { "activation.lca": "activation.ia", "activation.ia": "activation.lca" };
 
 const _schema = signal(null);
 const _catalogue = signal(null);
+/** @type {import("@preact/signals").Signal<Record<string, any>>} */
 const _values = signal({});
 const _version = signal(0);
-const _gesture = signal(0);
+const _movement = signal(0);
 const _tied = signal(false);
 
 export const schema = readonly(_schema);
@@ -20,7 +20,7 @@ export const values = readonly(_values);
 /** Counts changes: an answer knows which version it belongs to. */
 export const version = readonly(_version);
 /** Counts hand movements: changes of one control without a pause are one. */
-export const gesture = readonly(_gesture);
+export const movement = readonly(_movement);
 export const tied = readonly(_tied);
 export const preset = computed(() => (_schema.value ? presetOf(_schema.value, _values.value) : null));
 
@@ -78,10 +78,16 @@ export function setTied(on) {
 function change(next, path) {
   const now = performance.now();
   batch(() => {
-    if (path !== lastPath || now - lastChange > GESTURE_PAUSE_MS) _gesture.value += 1;
+    if (path !== lastPath || now - lastChange > MOVEMENT_PAUSE_MS) _movement.value += 1;
     _values.value = next;
     _version.value += 1;
   });
   lastPath = path;
   lastChange = now;
 }
+
+export const musclePaths = () =>
+  [...schema.value.parameters.values()].filter((row) => row.group === "muscles").map((row) => row.key);
+
+/** "activation.ta" → "ta", which also names the muscle's colour. */
+export const muscleOf = (path) => path.split(".").at(-1);

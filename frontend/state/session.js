@@ -1,6 +1,5 @@
-/** Where the page stands with its server: starting, ready, asking for a token, or without an answer. */
-import { signal } from "../ui.js";
-import { readonly } from "./readonly.js";
+/** The page and its server: starting, ready, asking for a token, or offline; and short messages to the user. */
+import { readonly, signal } from "../core/ui.js";
 
 const _connection = signal("starting"); // starting | ready | login | offline
 const _health = signal(null);

@@ -45,7 +45,7 @@ READ = """() => {
   for (let k = 0; k < octets.length; k += 32768) text += String.fromCharCode(...octets.subarray(k, k + 32768));
   return { frames, text: btoa(text) };
 }"""
-BUFFER = "async () => (await import('/state/play.js')).buffer.value"
+BUFFER = "async () => (await import('/state/played-voice.js')).buffer.value"
 
 
 class Watch:

@@ -17,7 +17,7 @@ PLACE_OF = """([right, up]) => {
 }"""
 #: The pitches behind the pad, once half of the map has come.
 PAD_PITCHES = """async () => {
-  const { padMap } = await import("/play/pad-map.js");
+  const { padMap } = await import("/features/play/pad-map.js");
   const many = () => padMap.value?.fo.filter((pitch) => pitch !== null).length > 60;
   while (!many()) await new Promise((resolve) => setTimeout(resolve, 50));
   return padMap.value.fo;

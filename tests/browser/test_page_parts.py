@@ -6,7 +6,7 @@ from json import dumps
 import numpy as np
 import pytest
 
-AXIS = "const axis = await import('/plots/axis.js');"
+AXIS = "const axis = await import('/core/axis.js');"
 
 
 def test_ticks_are_round_and_inside(modules):
@@ -36,7 +36,7 @@ def test_numbers_are_written_as_people_write_them(modules):
 
 def test_a_request_holds_only_what_differs(modules):
     run = """async ([document, values]) => {
-      const params = await import("/params.js");
+      const params = await import("/core/parameters.js");
       const schema = params.readSchema(document);
       const all = { ...params.defaultValues(schema), ...values };
       return {
@@ -80,10 +80,10 @@ def test_a_request_holds_only_what_differs(modules):
 
 def test_a_lane_has_one_request_in_flight_and_the_newest_wins(modules):
     run = """async () => {
-      const { Lane } = await import("/lane.js");
+      const { LatestOnly } = await import("/core/latest-only.js");
       const pending = [], log = [];
       let flying = 0, most = 0;
-      const lane = new Lane(
+      const lane = new LatestOnly(
         (job) => {
           most = Math.max(most, ++flying);
           return new Promise((done, failed) => pending.push({ job, done, failed }));
@@ -112,7 +112,7 @@ def test_a_reply_in_octets_is_read_as_it_was_written(modules):
     header += b" " * (-len(header) % 4)
     octets = struct.pack("<I", len(header)) + header + b"".join(array.tobytes() for array in values.values())
     run = """async (octets) => {
-      const { decodeResult } = await import("/octets.js");
+      const { decodeResult } = await import("/core/api.js");
       const { header, arrays } = decodeResult(new Uint8Array(octets).buffer);
       return [header.id, arrays.flow.shape, Array.from(arrays.flow.data), Array.from(arrays.area.data)];
     }"""
@@ -122,7 +122,7 @@ def test_a_reply_in_octets_is_read_as_it_was_written(modules):
 def test_the_outline_is_the_distance_from_the_midline(modules):
     """A wedge of 16 mm by 4 mm half width, pressed over the midline inferiorly in one slice, superiorly in another."""
     run = """async ([x, medial, w]) => {
-      const glottis = await import("/plots/glottis.js");
+      const glottis = await import("/core/glottis.js");
       const fields = { nx: x.length, ny: 2, x, medial };
       return glottis.foldEdges(fields, w);
     }"""
@@ -141,7 +141,7 @@ def test_the_outline_is_the_distance_from_the_midline(modules):
 def test_the_flow_derivative_is_the_one_of_mfdr(modules):
     """A sine through the same Gaussian: slope ω, less what a low-pass with −3 dB at 3 kHz takes from it."""
     run = """async ([wave, rate]) => {
-      const { slope } = await import("/plots/waves.js");
+      const { slope } = await import("/features/waves/stack.js");
       return Array.from(slope(new Float32Array(wave), 500, 1500, rate));
     }"""
     rate = 35000
@@ -155,7 +155,7 @@ def test_the_flow_derivative_is_the_one_of_mfdr(modules):
 
 @pytest.mark.parametrize("theme, grows", [("light", -1), ("dark", 1)])
 def test_colour_maps_run_evenly_in_lightness(modules, theme, grows):
-    run = "async ([name, theme]) => Array.from((await import('/plots/colours.js')).colourTable(name, theme))"
+    run = "async ([name, theme]) => Array.from((await import('/core/colours.js')).colourTable(name, theme))"
 
     def luminance(name):
         rgb = np.array(modules(run, [name, theme])).reshape(256, 3) / 255
@@ -168,7 +168,7 @@ def test_colour_maps_run_evenly_in_lightness(modules, theme, grows):
 
 
 def test_advice_fits_the_cause(modules):
-    run = "async ([values, gap]) => (await import('/texts.js')).hintFor(values, gap)"
+    run = "async ([values, gap]) => (await import('/features/measures/texts.js')).hintFor(values, gap)"
 
     def advice(gap_mm, pressure=1000, **activation):
         muscles = {f"activation.{name}": 0.0 for name in ("ta", "ct", "lca", "ia", "pca")}
@@ -183,8 +183,8 @@ def test_advice_fits_the_cause(modules):
 
 def test_the_address_gives_back_what_was_put_in(modules):
     run = """async () => {
-      const { readSchema, defaultValues } = await import("/params.js");
-      const { linkOf, readQuery, writeQuery } = await import("/url.js");
+      const { readSchema, defaultValues } = await import("/core/parameters.js");
+      const { linkOf, readQuery, writeQuery } = await import("/features/page/url.js");
       const common = { label: "", symbol: "", step: 0.01, group: "" };
       const schema = readSchema({
         parameters: [

@@ -7,7 +7,7 @@ import pytest
 
 from tests.browser.conftest import DESK, MOVING, PHONE
 
-LESSONS = Path(__file__).parents[2] / "frontend" / "lessons"
+LESSONS = Path(__file__).parents[2] / "frontend" / "features" / "lessons"
 
 
 def show(here, panel: str) -> None:

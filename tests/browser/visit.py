@@ -20,13 +20,13 @@ INK = """name => {
 #: Once the heavy pictures have taken up the newest voice, the view of the open tab has been fetched, and every canvas
 #: on the page has been given the size of its box, which happens in the frame that paints it first.
 RESTED = """async () => {
-  const [{ rested }, { result }] = await Promise.all([import("/state/rested.js"), import("/state/outcome.js")]);
+  const [{ settled }, { result }] = await Promise.all([import("/state/settled.js"), import("/state/answers.js")]);
   const frame = () => new Promise(requestAnimationFrame);
   const ratio = Math.min(devicePixelRatio, 3);
   const fits = (canvas) => canvas.clientWidth < 2 || Math.abs(canvas.width - ratio * canvas.clientWidth) <= ratio;
   const painted = () => [...document.querySelectorAll("canvas.picture")].every(fits);
   const fetched = () => document.querySelector("[role=tabpanel] > *");
-  while (rested.value !== result.value || !fetched() || !painted()) await frame();
+  while (settled.value !== result.value || !fetched() || !painted()) await frame();
 }"""
 FRAMES = "n => new Promise(done => { const f = () => (n-- > 0 ? requestAnimationFrame(f) : done()); f(); })"
 

@@ -12,7 +12,7 @@ from vfcore.acoustics.tract import vowel_tract
 from vfcore.request import numeric_paths, simulation_from_dict
 from vfcore.simulate import simulate
 
-LESSONS = Path(__file__).parents[2] / "frontend" / "lessons"
+LESSONS = Path(__file__).parents[2] / "frontend" / "features" / "lessons"
 PANELS = {"waves", "voice", "folds", "compare", "measures"}
 INDEX = json.loads((LESSONS / "index.json").read_text(encoding="utf-8"))
 
@@ -38,7 +38,7 @@ def outcome(key: str, step: int):
 
 
 def test_the_index_lists_the_files_as_they_are():
-    assert {f"{row['key']}.json" for row in INDEX} | {"index.json"} == {path.name for path in LESSONS.iterdir()}
+    assert {f"{row['key']}.json" for row in INDEX} | {"index.json"} == {path.name for path in LESSONS.glob("*.json")}
     for row in INDEX:
         full = lesson(row["key"])
         assert row == {name: full[name] for name in ("key", "title", "about")} | {"steps": len(full["steps"])}
