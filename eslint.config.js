@@ -9,7 +9,7 @@ export default [
   {
     languageOptions: { ecmaVersion: "latest", sourceType: "module", globals: globals.browser },
     linterOptions: { reportUnusedDisableDirectives: "error" },
-    rules: { "no-unused-vars": ["error", unused] },
+    rules: { "no-unused-vars": ["error", unused], "max-len": ["error", 120] },
   },
   { files: ["frontend/**/*-worker.js"], languageOptions: { globals: globals.worker } },
   { files: ["frontend/**/*-worklet.js"], languageOptions: { globals: globals.audioWorklet } },

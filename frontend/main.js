@@ -54,7 +54,7 @@ start();
 
 async function start() {
   try {
-    const catalogue = schema.peek() ? null : askCatalogue(); // meanwhile: most often the model is ready
+    const catalogue = schema.peek() ? null : askCatalogue(); // at the same time: most often the model is ready
     await modelReady();
     if (!schema.peek()) takeCatalogue(await catalogue);
     setConnection("ready");
@@ -76,7 +76,7 @@ async function modelReady() {
 
 function askCatalogue() {
   const answers = Promise.all([getJson("parameters"), getJson("measures")]);
-  answers.catch(() => {}); // told where it is waited for
+  answers.catch(() => {}); // reported where the answers are awaited
   return answers;
 }
 

@@ -8,18 +8,18 @@ import { postJson, simulate } from "./api.js";
 import { LIVE_ARRAYS, makeResult } from "./result.js";
 
 const CALLS = {
-  posture: async (body) => ({ answer: await postJson("posture", body), hand: [] }),
-  postures: async (body) => ({ answer: await postJson("postures", body), hand: [] }),
+  posture: async (body) => ({ answer: await postJson("posture", body), transfer: [] }),
+  postures: async (body) => ({ answer: await postJson("postures", body), transfer: [] }),
   voice: async (body) => {
     const answer = makeResult(await simulate(body, LIVE_ARRAYS));
-    return { answer, hand: [answer.waves.flow.buffer] }; // all arrays lie in one buffer: given away, not copied
+    return { answer, transfer: [answer.waves.flow.buffer] }; // all arrays share one buffer: transferred, not copied
   },
 };
 
 self.onmessage = async ({ data: { id, call, body } }) => {
   try {
-    const { answer, hand } = await CALLS[call](body);
-    self.postMessage({ id, answer }, hand);
+    const { answer, transfer } = await CALLS[call](body);
+    self.postMessage({ id, answer }, transfer);
   } catch ({ status, title, message, fields }) {
     self.postMessage({ id, refused: { status, title, message, fields } });
   }

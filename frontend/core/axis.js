@@ -18,7 +18,7 @@ export function ticks(low, high, most = 4) {
   return Array.from({ length: last - first + 1 }, (_, k) => (first + k) * step);
 }
 
-/** Marks for a low plot: three or four, as few as show the scale. */
+/** Ticks for a low plot: three or four, the fewest that show the scale. */
 export function fewTicks(low, high) {
   const coarse = ticks(low, high, 3);
   return coarse.length >= 3 ? coarse : ticks(low, high, 4);
@@ -34,7 +34,7 @@ export function niceCeil(value) {
 
 /**
  * Limits around `data` = {min, max}: zero included, round, kept from `before` while the data still fill at least half
- * of them, so that an axis stands still under a moving hand. `symmetric` centres them on zero.
+ * of them, so an axis does not move during a drag. `symmetric` centres them on zero.
  */
 export function steadyLimits(before, data, { symmetric = false, least = 0 } = {}) {
   let low = Math.max(0, -data.min);

@@ -2,7 +2,7 @@
 
 /**
  * The 2-d context of `canvas` in CSS pixels for a box of `width` by `height`, cleared; null when it has no size.
- * `ground`: a colour that fills it, which lets the browser lay it down without blending.
+ * `ground`: a colour that fills it, so the browser need not blend it.
  */
 export function prepare(canvas, width, height, ground = null) {
   if (width < 2 || height < 2) return null;
@@ -24,14 +24,14 @@ export function prepare(canvas, width, height, ground = null) {
   return context;
 }
 
-/** What seldom changes, painted once and laid down in every frame. */
+/** A picture that seldom changes: painted once, copied in every frame. */
 export class Layer {
   #canvas = document.createElement("canvas");
   #made = null;
 
-  /** Lay down what `paint(context, box, model)` draws; painted anew when `model` or the box is another. */
+  /** Draw the picture of `paint(context, box, model)`, painted again when `model` or the box changes. */
   draw(context, box, model, paint) {
-    if (context.isFigure) return paint(context, box, model); // to be kept at another sharpness
+    if (context.isFigure) return paint(context, box, model); // a file has its own resolution
     if (this.#made?.model !== model || this.#made.width !== box.width || this.#made.height !== box.height) {
       paint(prepare(this.#canvas, box.width, box.height), box, model);
       this.#made = { model, width: box.width, height: box.height };

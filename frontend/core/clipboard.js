@@ -1,6 +1,6 @@
 /** Copies text to the clipboard, with or without a secure context. */
 
-/** Whether it worked; to be called inside a gesture. `markup`: the same as HTML, for documents that take it. */
+/** Whether it worked. Call it from a click or a key. `markup`: the same as HTML, for documents that accept it. */
 export async function copyText(text, markup) {
   try {
     if (markup === undefined) await navigator.clipboard.writeText(text);
@@ -16,14 +16,14 @@ export async function copyText(text, markup) {
 
 const plain = (text) => new Blob([text], { type: "text/plain" });
 
-/** The old way, the only one a page without TLS has: select it in a field nobody sees, and ask for a copy. */
+/** The old way, the only one for a page without TLS: select the text in a hidden field and copy the selection. */
 function copySelected(text, markup) {
   const field = document.createElement("textarea");
   const before = /** @type {HTMLElement | null} */ (document.activeElement);
   field.value = text;
   field.className = "visually-hidden";
   field.setAttribute("aria-hidden", "true");
-  // What lies outside an open dialog cannot be selected.
+  // Text outside an open dialog cannot be selected.
   (document.querySelector("dialog[open]") ?? document.body).append(field);
   field.select();
   const give = (event) => {

@@ -14,7 +14,7 @@ const SEQUENTIAL = {
   dark: ["#1b1f24", "#57291d", "#97421d", "#d36f22", "#f2a945", "#fdeebc"],
 };
 
-/** Neutral to teal: below zero, where contact holds instead of pushing. */
+/** Neutral to teal: below zero, where contact pulls instead of pushing. */
 const BELOW = {
   light: ["#f3f1ec", "#9fc9c2", "#2f7f78"],
   dark: ["#1b1f24", "#2c6a65", "#86cdc3"],
@@ -85,10 +85,10 @@ export function rampColour(share, theme) {
   return `rgb(${stops[i].map((c, k) => Math.round(c + (at - i) * (stops[i + 1][k] - c))).join(" ")})`;
 }
 
-/** The same scale as Plotly takes it. */
+/** The same scale in Plotly's form. */
 export const rampScale = (theme) => STOPS[theme].map((colour, k) => [k / (STOPS[theme].length - 1), colour]);
 
-/** Colours centred on 0, as Plotly takes them: those of signed pressure. */
+/** The colours of signed pressure, centred on 0, in Plotly's form. */
 export function divergingScale(theme, stops = 16) {
   const table = colourTable("diverging", theme);
   return Array.from({ length: stops + 1 }, (_, k) => {
@@ -111,7 +111,7 @@ export function fillImage(image, values, scale, theme) {
   return image;
 }
 
-/** Paint onto `canvas`, which the page stretches smoothly from node to node. */
+/** Paint onto `canvas`, one pixel per node; the page stretches it smoothly from node to node. */
 export function paintField(canvas, { nx, ny }, values, scale, theme) {
   if (canvas.width !== nx || canvas.height !== ny) {
     canvas.width = nx;

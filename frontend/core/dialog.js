@@ -3,7 +3,7 @@ import { html, readonly, signal, useLayoutEffect, useRef } from "./ui.js";
 import { Icon } from "./widgets.js";
 import { DIALOG } from "./texts.js";
 
-const _open = signal(null); // null or {name, ...}: the dialog on top
+const _open = signal(null); // null or {name, ...}: the open dialog
 
 export const open = readonly(_open);
 

@@ -2,7 +2,7 @@
 export class Disposal {
   #ends = [];
 
-  /** Keep `end` (a function) and give it back. */
+  /** Register `end` (a function) and return it. */
   add(end) {
     this.#ends.push(end);
     return end;

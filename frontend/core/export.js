@@ -8,22 +8,22 @@ import { SvgContext } from "./svg-context.js";
 const PNG_RATIO = 3; // for print at 300 dpi
 const shown = signal([]);
 
-/** [{name, title, model, paint, size}, or {name, title, make}] of what is mounted and has a title. */
+/** The mounted pictures that have a title: {name, title, model, paint, size} or {name, title, make}. */
 export const figures = shown;
 
-/** Offer a picture while it is on the page; returns the end of it. */
+/** Offer a picture for export while it is on the page; returns a function that withdraws it. */
 export function offer(figure) {
   shown.value = [...shown.peek(), figure];
   return () => (shown.value = shown.peek().filter((other) => other !== figure));
 }
 
-/** The figure as a file: SVG text or a PNG blob; null while it has nothing to show. Some figures `make(kind)` it themselves. */
+/** The figure as SVG text or a PNG blob, or null while it is empty. Some figures `make(kind)` their own file. */
 export function figureFile(figure, kind, ground) {
   if (figure.make) return figure.make(kind);
   return kind === "svg" ? svgOf(figure, ground) : pngOf(figure, ground);
 }
 
-/** The figure as SVG text; null while it has nothing to show. */
+/** The figure as SVG text; null while it is empty. */
 export function svgOf({ title, model, paint, size }, ground) {
   const seen = model();
   if (!seen) return null;
@@ -33,7 +33,7 @@ export function svgOf({ title, model, paint, size }, ground) {
   return context.text(ground);
 }
 
-/** The figure as a PNG blob, three pixels for one of the page; null while it has nothing to show. */
+/** The figure as a PNG blob, three pixels for one of the page; null while it is empty. */
 export function pngOf({ model, paint, size }, ground) {
   const seen = model();
   if (!seen) return null;
@@ -50,7 +50,7 @@ export function pngOf({ model, paint, size }, ground) {
   return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
 }
 
-const FREE_S = 10; // until a browser has surely taken the file
+const FREE_S = 10; // by then every browser has taken the file
 
 /** Offer `content` (Blob or text) as a download. */
 export function download(name, content, type) {
@@ -61,7 +61,7 @@ export function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(address), FREE_S * 1e3);
 }
 
-/** `kind`: svg or png. */
+/** Download a figure. `kind`: svg or png. */
 export async function exportFigure(figure, kind, ground) {
   const content = await figureFile(figure, kind, ground);
   if (content) download(`vocalis-${figure.name}.${kind}`, content, "image/svg+xml");

@@ -34,7 +34,7 @@ function flush() {
   if (after.length) {
     const reports = after;
     after = [];
-    // A message posted inside a frame is delivered after that frame's own work.
+    // A message posted during a frame is delivered after the work of that frame.
     const channel = new MessageChannel();
     channel.port1.onmessage = () => reports.forEach((report) => report());
     channel.port2.postMessage(null);

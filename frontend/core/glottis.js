@@ -10,8 +10,8 @@
 const MM = 1e3;
 
 /**
- * Edges of one fold for displacements `w` (nx·ny): {u, superior, inferior, inner}, mm. `inner` is what is nearest the
- * midline over the whole depth: the edge a laryngoscope sees.
+ * Edges of one fold for displacements `w` (nx·ny): {u, superior, inferior, inner}, mm. `inner` is the edge nearest
+ * to the midline over the whole depth, as a laryngoscope sees it.
  */
 export function foldEdges({ nx, ny, x, medial }, w) {
   const length = x[nx - 1];
@@ -27,7 +27,7 @@ export function foldEdges({ nx, ny, x, medial }, w) {
   return edges;
 }
 
-/** The same from the posture call, which sends the two edges only. */
+/** The same from the posture call, which sends only the two edges. */
 export function staticEdges({ x_m, superior_m, inferior_m, medial_superior_m, medial_inferior_m }) {
   const length = x_m[x_m.length - 1];
   const superior = superior_m.map((w, i) => (medial_superior_m[i] - w) * MM);

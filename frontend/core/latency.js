@@ -4,24 +4,24 @@
  * loudspeaker. Read with performance.getEntriesByName("slider to shape" | "slider to all" | "slider to sound").
  */
 
-const KEPT = 400;
+const MOST = 400;
 const inputs = new Map(); // version → time
 const shownUpTo = { "slider to shape": 0, "slider to all": 0, "slider to sound": 0 };
 
 export function recordInput(version) {
   if (!inputs.has(version)) inputs.set(version, performance.now());
-  if (inputs.size > KEPT) inputs.delete(inputs.keys().next().value);
+  if (inputs.size > MOST) inputs.delete(inputs.keys().next().value);
 }
 
 export function recordShown(name, version, end = performance.now()) {
-  if (performance.getEntriesByName(name).length > KEPT) performance.clearMeasures(name);
+  if (performance.getEntriesByName(name).length > MOST) performance.clearMeasures(name);
   for (const [changed, start] of inputs) {
     if (changed > shownUpTo[name] && changed <= version) performance.measure(name, { start, end });
   }
   shownUpTo[name] = Math.max(shownUpTo[name], version);
 }
 
-/** What was changed so far is not waited for under this name: nothing was there yet to show it. */
+/** Ignore the changes so far under this name: nothing could show them yet. */
 export function waitFrom(name, version) {
   shownUpTo[name] = Math.max(shownUpTo[name], version);
 }

@@ -15,7 +15,7 @@ export function MathsSymbol({ text }) {
   `;
 }
 
-/** A sentence or formula with its symbols printed so. */
+/** A sentence or formula with its symbols in that form. */
 export function WithSymbols({ text }) {
   return text.split(/(\p{L}+_[\p{L}\d]+(?:,[\p{L}\d]+)?)/u).map((part) =>
     part.includes("_")

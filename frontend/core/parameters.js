@@ -80,12 +80,12 @@ export function postureRequest(schema, values) {
   return body;
 }
 
-/** The values a preset stands for; what it does not speak of stays as it is. */
+/** The values of a preset; values that it does not name are unchanged. */
 export function presetValues(schema, preset, values) {
   return { ...values, ...wantedBy(schema, preset) };
 }
 
-/** The preset these values are, or null. */
+/** The preset with these values, or null. */
 export function presetOf(schema, values) {
   const is = (preset) => Object.entries(wantedBy(schema, preset)).every(([key, value]) => values[key] === value);
   return schema.presets.find(is) ?? null;
@@ -101,7 +101,7 @@ function wantedBy(schema, preset) {
   return wanted.get(preset);
 }
 
-/** What a person typed: a number where it reads as one, else the text itself, which the server then refuses by name. */
+/** The user's input as a number if it is one, else the text itself, which the server then refuses by name. */
 export function typed(text) {
   const trimmed = text.trim().replace(",", ".").replace("−", "-");
   if (trimmed === "") return null;

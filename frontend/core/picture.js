@@ -5,6 +5,11 @@ import { Disposal } from "./dispose.js";
 import { offer } from "./export.js";
 import { forget, inFrame } from "./frame.js";
 
+/**
+ * `model()` reads signals and may return null (nothing to show); `paint(context, box, model)` draws it once in the next
+ * frame, however often the state has changed since. `ground(model)`: the colour behind it, if there is one. A picture
+ * with a `title` can be exported while it is on the page.
+ */
 export function Picture({ model, paint, label, name, ground, title }) {
   const canvas = useRef(null);
   useEffect(() => follow(canvas.current, model, paint, ground), []);

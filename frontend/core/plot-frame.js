@@ -10,8 +10,8 @@ export const fieldIn = (box, unit, { left = 2.9, right = 0.7, top = 1.35, bottom
 });
 
 /**
- * Paint both axes; answers {x(value), y(value), inside(paint)}. `x`, `y`: {limits: [low, high], label, most} (most 0: no ticks); labels
- * stand at the ends of their axes.
+ * Paint both axes; returns {x(value), y(value), inside(paint)}. `x`, `y`: {limits: [low, high], label, most}, where
+ * `most` 0 means no ticks. Labels are at the ends of their axes.
  */
 export function drawFrame(context, field, { x, y }, colours, font) {
   const px = (value) => field.left + ((value - x.limits[0]) / (x.limits[1] - x.limits[0])) * (field.right - field.left);

@@ -20,7 +20,7 @@ export function loadPlotly() {
   return loading;
 }
 
-/** What a Plotly figure shows as a file: SVG text or a PNG blob, on `ground`, under its heading. */
+/** A Plotly figure as a file: SVG text or a PNG blob, on `ground`, under its heading. */
 export async function plotlyFile(element, kind, ground, heading) {
   const { clientWidth: width, clientHeight: height } = element;
   const figure = {
@@ -40,6 +40,10 @@ export async function plotlyFile(element, kind, ground, heading) {
 
 const CONFIG = { displayModeBar: false, responsive: true, scrollZoom: false, doubleClick: false };
 
+/**
+ * `figure()` reads signals and returns {traces, layout}; a click calls `onPick(point)`. In the list of exports the
+ * figure has the name `title`; its file has the heading `heading`.
+ */
 export function PlotlyPlace({ name, label, title = label, heading = label, figure, onPick }) {
   const place = useRef(null);
   const [note, setNote] = useState("");

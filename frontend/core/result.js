@@ -1,6 +1,6 @@
 /** A result as the views read it, made from the header and arrays of the server's reply. Pure. */
 
-/** Arrays the page asks for with every run. */
+/** Arrays that the page requests with every run. */
 export const LIVE_ARRAYS = [
   "radiated_pressure_pa",
   "glottal_flow_m3_s",

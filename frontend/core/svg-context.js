@@ -21,6 +21,9 @@ const BASELINE_EM = { top: 0.78, middle: 0.32, bottom: -0.22, alphabetic: 0 };
 const round = (value) => Math.round(value * 100) / 100;
 const escaped = (text) => String(text).replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
+const boxOf = (x, y, width, height) =>
+  `x="${round(x)}" y="${round(y)}" width="${round(width)}" height="${round(height)}"`;
+
 export class SvgContext {
   isFigure = true;
   #parts = [];
@@ -49,8 +52,9 @@ export class SvgContext {
   /** The whole figure, on `ground`. */
   text(ground) {
     const { width, height } = this.canvas;
+    const size = `width="${round(width)}" height="${round(height)}"`;
     return [
-      `<svg xmlns="http://www.w3.org/2000/svg" width="${round(width)}" height="${round(height)}" viewBox="0 0 ${round(width)} ${round(height)}" role="img">`,
+      `<svg xmlns="http://www.w3.org/2000/svg" ${size} viewBox="0 0 ${round(width)} ${round(height)}" role="img">`,
       `<title>${escaped(this.title)}</title>`,
       `<defs>${this.#definitions.join("")}</defs>`,
       `<rect width="100%" height="100%" fill="${ground}"/>`,
@@ -112,9 +116,10 @@ export class SvgContext {
     this.#path += `M${round(x)} ${round(y)}h${round(width)}v${round(height)}h${round(-width)}z`;
   }
 
-  /** Whole circles only: that is all the page draws. */
+  /** Whole circles only: the page draws no other arcs. */
   arc(x, y, radius) {
-    this.#path += `M${round(x - radius)} ${round(y)}a${radius} ${radius} 0 1 0 ${2 * radius} 0a${radius} ${radius} 0 1 0 ${-2 * radius} 0z`;
+    const half = (across) => `a${radius} ${radius} 0 1 0 ${across} 0`;
+    this.#path += `M${round(x - radius)} ${round(y)}${half(2 * radius)}${half(-2 * radius)}z`;
   }
 
   closePath() {
@@ -137,9 +142,7 @@ export class SvgContext {
   }
 
   fillRect(x, y, width, height) {
-    this.#add(
-      `<rect x="${round(x)}" y="${round(y)}" width="${round(width)}" height="${round(height)}" fill="${this.fillStyle}"`,
-    );
+    this.#add(`<rect ${boxOf(x, y, width, height)} fill="${this.fillStyle}"`);
   }
 
   fillText(text, x, y) {
@@ -152,30 +155,28 @@ export class SvgContext {
 
   /** `image`: a canvas; embedded, stretched without smoothing away its cells. */
   drawImage(image, x, y, width, height) {
-    this.#add(
-      `<image x="${round(x)}" y="${round(y)}" width="${round(width)}" height="${round(height)}" preserveAspectRatio="none" href="${image.toDataURL()}"`,
-    );
+    this.#add(`<image ${boxOf(x, y, width, height)} preserveAspectRatio="none" href="${image.toDataURL()}"`);
   }
 
   #strokeWords() {
     const dash = this.#dash.length ? ` stroke-dasharray="${this.#dash.join(" ")}"` : "";
-    return `stroke="${this.strokeStyle}" stroke-width="${round(this.lineWidth)}" stroke-linecap="${this.lineCap}" stroke-linejoin="${this.lineJoin}"${dash}`;
+    const ends = `stroke-linecap="${this.lineCap}" stroke-linejoin="${this.lineJoin}"`;
+    return `stroke="${this.strokeStyle}" stroke-width="${round(this.lineWidth)}" ${ends}${dash}`;
   }
 
   #write(text, x, y, paint) {
     const [, weight, size, family] = /^(?:(\w+) )?([\d.]+)px (.*)$/.exec(this.font);
     const down = BASELINE_EM[this.textBaseline] * Number(size);
-    this.#add(
-      `<text x="${round(x)}" y="${round(y + down)}" text-anchor="${ANCHOR[this.textAlign]}" font-family="${escaped(family)}" font-size="${size}" font-weight="${weight ?? 400}" ${paint}`,
-      `>${escaped(text)}</text>`,
-    );
+    const place = `x="${round(x)}" y="${round(y + down)}" text-anchor="${ANCHOR[this.textAlign]}"`;
+    const font = `font-family="${escaped(family)}" font-size="${size}" font-weight="${weight ?? 400}"`;
+    this.#add(`<text ${place} ${font} ${paint}`, `>${escaped(text)}</text>`);
   }
 
   #add(start, end = "/>") {
     const place = this.#transform ? ` transform="${this.#transform}"` : "";
     const pale = this.globalAlpha < 1 ? ` opacity="${round(this.globalAlpha)}"` : "";
     const element = start + pale + place + end;
-    // The clip stands outside the transform, as on a canvas it was set before it.
+    // The clip is outside the transform: on the canvas it was set first.
     this.#parts.push(this.#clip ? `<g clip-path="${this.#clip}">${element}</g>` : element);
   }
 }

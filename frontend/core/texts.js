@@ -5,9 +5,9 @@ export const APP = {
   use: "Adult male larynx; research and teaching, not a medical device.",
   unencryptedShort: "Live sound needs TLS here.",
   unencrypted:
-    "Without encryption browsers keep live sound and the clipboard from a page. On the server, --tls-cert and --tls-key turn it on.",
+    "Browsers block live sound and the clipboard on pages without HTTPS. --tls-cert and --tls-key turn it on.",
   starting: "Preparing the model",
-  startingWhy: "The first start compiles the equations for this machine: some ten seconds, once.",
+  startingWhy: "The first start compiles the equations for this machine, once. It takes about ten seconds.",
   offline: "The server does not answer. Trying again…",
   waiting: "Waiting for the first result",
   controls: "Controls",

@@ -107,7 +107,7 @@ export function TabList({ name, texts, chosen, choose }) {
   `;
 }
 
-/** `load()` → promise of a module that exports the view `name`. */
+/** A view that is loaded when first shown. `load()` → promise of a module that exports the view `name`. */
 export function lazy(load, name) {
   const view = signal(null);
   const lost = signal(false);

@@ -10,9 +10,9 @@ const _result = signal(null);
 const _answered = signal(0);
 const _refusals = signal({ posture: NONE, voice: NONE });
 
-/** {posture, coefficients, static_shape} of the newest answered posture. */
+/** {posture, coefficients, static_shape} of the newest answer. */
 export const posture = readonly(_posture);
-/** The posture before the present hand movement: what changes are counted from. */
+/** The posture before the present movement of a control, from which changes are counted. */
 export const postureBefore = readonly(_postureBefore);
 /** The newest voice, see result.js. */
 export const result = readonly(_result);
@@ -20,7 +20,7 @@ export const result = readonly(_result);
 export const answered = readonly(_answered);
 /** Refused fields, whichever call refused them: {path: {message, allowed}}. */
 export const problems = computed(() => ({ ..._refusals.value.voice.fields, ..._refusals.value.posture.fields }));
-/** Why there is no answer, when that is not about one field. */
+/** Why there is no answer, if the reason is not a field. */
 export const failure = computed(() => _refusals.value.posture.text || _refusals.value.voice.text);
 
 let movementShown = 0;
@@ -36,7 +36,7 @@ export function takePosture(answer, gesture) {
   });
 }
 
-/** `version`: of the request it answers; none for a run that was not live. */
+/** `version`: of the answered request; omitted for a run that was not live. */
 export function takeResult(answer, version = _answered.value) {
   batch(() => {
     _result.value = answer;

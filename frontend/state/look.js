@@ -45,10 +45,10 @@ export function setPanel(name) {
   _panel.value = name;
 }
 
-/** The tab a panel stands under on a phone; the others stand under "waves". */
+/** The tab of a panel on a phone; all others are under "waves". */
 const TAB_OF_PANEL = { measures: "numbers", map: "map", play: "play", lessons: "more", run: "more" };
 
-/** Show a panel, on a phone with the tab it stands under. */
+/** Show a panel; on a phone, its tab. */
 export function showPanel(name) {
   _panel.value = name;
   if (_narrow.peek()) _tab.value = TAB_OF_PANEL[name] ?? "waves";

@@ -17,9 +17,9 @@ export const now = readonly(_now);
 export const problem = readonly(_problem);
 /** {bufferMs, wantedMs, gaps, played} of the player. */
 export const buffer = readonly(_buffer);
-/** Seconds recorded, null when not recording. */
+/** Recorded seconds; null when not recording. */
 export const recordingS = readonly(_recordingS);
-/** The gesture that was recorded last: a request document. */
+/** The last recorded gesture: a request document. */
 export const recorded = readonly(_recorded);
 
 let area = [];
@@ -42,7 +42,7 @@ export function takeState(frame) {
   area = area.concat(frame.area_mm2).slice(-most);
   flow = flow.concat(frame.flow_ml_s).slice(-most);
   const since = frame.time_s - TRACE_S;
-  if (trace.length && trace[trace.length - 1].timeS > frame.time_s) trace = []; // a recording began: time starts anew
+  if (trace.length && trace[trace.length - 1].timeS > frame.time_s) trace = []; // a recording began: time starts again
   trace = [
     ...trace.filter(({ timeS }) => timeS > since),
     { timeS: frame.time_s, fo: frame.fo_hz, level: frame.spl_lips_db },

@@ -15,11 +15,11 @@ const _tied = signal(false);
 
 export const schema = readonly(_schema);
 export const catalogue = readonly(_catalogue);
-/** Every value by dotted path, as it will be sent. */
+/** Every value by dotted path, as it is sent. */
 export const values = readonly(_values);
-/** Counts changes: an answer knows which version it belongs to. */
+/** Counts changes: an answer carries the version of its request. */
 export const version = readonly(_version);
-/** Counts hand movements: changes of one control without a pause are one. */
+/** Counts movements: changes of one control without a pause are one movement. */
 export const movement = readonly(_movement);
 export const tied = readonly(_tied);
 export const preset = computed(() => (_schema.value ? presetOf(_schema.value, _values.value) : null));
@@ -53,19 +53,19 @@ export function choosePreset(key) {
   change(presetValues(_schema.value, chosen, _values.value), `preset ${key}`);
 }
 
-/** Set all values at once, as they were before or are wanted by a lesson; what is missing stays. */
+/** Set many values at once, for undo or a lesson; missing ones are unchanged. */
 export function restoreValues(next) {
   change({ ..._values.value, ...next }, "restored");
   lastPath = ""; // two in a row are two movements
 }
 
-/** A variant comes with the source–tract coupling it is meant with; the coupling can be changed afterwards. */
+/** A variant brings its own source–tract coupling, which can be changed afterwards. */
 export function chooseVariant(key) {
   const { meant_with: coupling } = _schema.value.variants.find((row) => row.key === key);
   change({ ..._values.value, "model.variant": key, "model.coupling": coupling }, "model.variant");
 }
 
-/** The whole of a request document, with defaults for what it does not name; what the page does not set is left out. */
+/** Take a request document, with defaults for all values that it does not name. */
 export function takeRequest(document) {
   const known = Object.entries(flatten(document)).filter(([path]) => _schema.value.parameters.has(path));
   change({ ...defaultValues(_schema.value), ...Object.fromEntries(known) }, "request");
@@ -89,5 +89,5 @@ function change(next, path) {
 export const musclePaths = () =>
   [...schema.value.parameters.values()].filter((row) => row.group === "muscles").map((row) => row.key);
 
-/** "activation.ta" → "ta", which also names the muscle's colour. */
+/** "activation.ta" → "ta", which is also the name of the muscle's colour. */
 export const muscleOf = (path) => path.split(".").at(-1);

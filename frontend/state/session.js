@@ -8,7 +8,7 @@ const _announcement = signal("");
 
 export const connection = readonly(_connection);
 export const health = readonly(_health);
-/** One line for the eye, gone after a few seconds. */
+/** One visible line that disappears after a few seconds. */
 export const notice = readonly(_notice);
 /** One line for screen readers. */
 export const announcement = readonly(_announcement);

@@ -6,14 +6,14 @@ import { effect, readonly, signal, untracked } from "../core/ui.js";
 import { result } from "./answers.js";
 import { version } from "./request.js";
 
-export const SETTLE_MS = 220; // without a change of settings
+export const SETTLE_MS = 220; // without a movement
 
 const _settled = signal(null);
 
-/** The newest result when nothing has been moved for REST_MS, see result.js. */
+/** The newest result once no control has moved for SETTLE_MS, see result.js. */
 export const settled = readonly(_settled);
 
-/** Starts following; returns the end of it. */
+/** Starts following; returns a function that stops it. */
 export function followSettled() {
   let waiting = 0;
   let changedAt = -Infinity;
@@ -21,7 +21,7 @@ export function followSettled() {
     const left = _settled.peek() ? changedAt + SETTLE_MS - performance.now() : 0;
     clearTimeout(waiting);
     if (left <= 0) _settled.value = result.peek();
-    else waiting = setTimeout(take, left); // the hand may have moved on since
+    else waiting = setTimeout(take, left); // there may have been another movement since
   };
   const stopHand = effect(() => {
     void version.value;

@@ -78,12 +78,12 @@ def test_a_request_holds_only_what_differs(modules):
     assert modules(run, [document, {"vowel": "i"}])["preset"] == "modal"
 
 
-def test_a_lane_has_one_request_in_flight_and_the_newest_wins(modules):
+def test_one_request_is_in_flight_and_the_newest_wins(modules):
     run = """async () => {
       const { LatestOnly } = await import("/core/latest-only.js");
       const pending = [], log = [];
       let flying = 0, most = 0;
-      const lane = new LatestOnly(
+      const requests = new LatestOnly(
         (job) => {
           most = Math.max(most, ++flying);
           return new Promise((done, failed) => pending.push({ job, done, failed }));
@@ -92,9 +92,9 @@ def test_a_lane_has_one_request_in_flight_and_the_newest_wins(modules):
         (error) => { flying--; log.push(error); },
       );
       const tick = () => new Promise((done) => setTimeout(done));
-      for (const job of [1, 2, 3, 4]) lane.push(job);
+      for (const job of [1, 2, 3, 4]) requests.push(job);
       pending[0].done("one"); await tick();
-      lane.push(5); lane.push(6);
+      requests.push(5); requests.push(6);
       pending[1].failed("four failed"); await tick();
       pending[2].done("six"); await tick();
       return { asked: pending.map(({ job }) => job), log, most };
@@ -102,7 +102,7 @@ def test_a_lane_has_one_request_in_flight_and_the_newest_wins(modules):
     assert modules(run) == {"asked": [1, 4, 6], "log": ["one", "four failed", "six"], "most": 1}
 
 
-def test_a_reply_in_octets_is_read_as_it_was_written(modules):
+def test_a_reply_in_bytes_is_read_as_it_was_written(modules):
     values = {"flow": np.arange(6, dtype="<f4").reshape(2, 3), "area": np.array([0.5, -1], dtype="<f4")}
     table, offset = {}, 0
     for name, array in values.items():
@@ -110,13 +110,13 @@ def test_a_reply_in_octets_is_read_as_it_was_written(modules):
         offset += array.nbytes
     header = dumps({"id": "ü", "arrays": table}).encode()
     header += b" " * (-len(header) % 4)
-    octets = struct.pack("<I", len(header)) + header + b"".join(array.tobytes() for array in values.values())
-    run = """async (octets) => {
+    reply = struct.pack("<I", len(header)) + header + b"".join(array.tobytes() for array in values.values())
+    run = """async (reply) => {
       const { decodeResult } = await import("/core/api.js");
-      const { header, arrays } = decodeResult(new Uint8Array(octets).buffer);
+      const { header, arrays } = decodeResult(new Uint8Array(reply).buffer);
       return [header.id, arrays.flow.shape, Array.from(arrays.flow.data), Array.from(arrays.area.data)];
     }"""
-    assert modules(run, list(octets)) == ["ü", [2, 3], [0, 1, 2, 3, 4, 5], [0.5, -1]]
+    assert modules(run, list(reply)) == ["ü", [2, 3], [0, 1, 2, 3, 4, 5], [0.5, -1]]
 
 
 def test_the_outline_is_the_distance_from_the_midline(modules):
@@ -175,7 +175,7 @@ def test_advice_fits_the_cause(modules):
         muscles |= {f"activation.{name}": value for name, value in activation.items()}
         return modules(run, [muscles | {"subglottal_pressure_pa": pressure}, gap_mm])
 
-    assert advice(9.9, pca=1, lca=0.8, ia=0.8) == "The vocal processes stand 9.9 mm apart. Try less PCA."
+    assert advice(9.9, pca=1, lca=0.8, ia=0.8) == "The vocal processes are 9.9 mm apart. Try less PCA."
     assert "more LCA and IA" in advice(5, lca=0.2, ia=0.9)
     assert advice(0, pressure=200, lca=1, ia=1) == "Try more lung pressure."
     assert "TA" in advice(0, ta=0.9, lca=1, ia=1)

@@ -19,7 +19,7 @@ INK = """name => {
 }"""
 #: Once the heavy pictures have taken up the newest voice, the view of the open tab has been fetched, and every canvas
 #: on the page has been given the size of its box, which happens in the frame that paints it first.
-RESTED = """async () => {
+PAINTED = """async () => {
   const [{ settled }, { result }] = await Promise.all([import("/state/settled.js"), import("/state/answers.js")]);
   const frame = () => new Promise(requestAnimationFrame);
   const ratio = Math.min(devicePixelRatio, 3);
@@ -65,9 +65,9 @@ class Visit:
         self.page.evaluate(FRAMES, 3)
 
     def painted(self) -> None:
-        """Wait until what costs more than a frame is painted too: it follows once the hand rests."""
+        """Wait until the slower pictures are painted too: they follow once the controls rest."""
         self.settle()
-        self.page.evaluate(RESTED)
+        self.page.evaluate(PAINTED)
         self.page.evaluate(FRAMES, 3)
 
     def hold_still(self, phase: int = 300) -> None:

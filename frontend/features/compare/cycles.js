@@ -14,7 +14,7 @@ export const COMPARED = [
 
 /**
  * The rows of COMPARED over the stored cycle, POINTS values each in the unit shown; null where nothing vibrates.
- * The cycle is turned so that it starts where the area falls fastest: the moment of closing.
+ * The cycle starts where the area falls fastest: the moment of closing.
  */
 export function cycleOf(result) {
   if (result.state === "none") return null;
@@ -50,7 +50,7 @@ export function cycleOf(result) {
 /** b − a, value by value. */
 export const difference = (a, b) => b.map((value, k) => value - a[k]);
 
-/** `a`, `b`: rows of compare.js, either may be null; `mode`: both | difference. */
+/** `a`, `b`: rows of cycleOf, either may be null; `mode`: both | difference. */
 export function drawComparison(context, box, { a, b, mode, colours, names }, unit, font, words) {
   const gap = 0.5 * unit;
   const foot = 1.6 * unit;

@@ -9,9 +9,9 @@ const _heard = signal(null); // null | a | b | turn
 
 /** {a, b}: {values, result} as they were when held, or null. */
 export const held = readonly(_held);
-/** What sounds instead of the live voice: a, b, both in turn, or null. */
+/** The voice that sounds instead of the live one: a, b, both in turn, or null. */
 export const heard = readonly(_heard);
-/** The second of the pair: the held B, else what is live. */
+/** The second of the pair: the held B, else the live voice. */
 export const second = computed(() => _held.value.b ?? (result.value && { values: values.value, result: result.value }));
 
 /** Hold the present voice as "a" or "b"; false while there is none. */
@@ -21,7 +21,7 @@ export function hold(side) {
   return true;
 }
 
-/** Let B follow the hand again, or forget both. */
+/** Make B live again, or forget both. */
 export function release(side) {
   batch(() => {
     _held.value = side === "b" ? { ..._held.peek(), b: null } : NONE;
@@ -39,7 +39,7 @@ export function stopHearing() {
 
 const _mode = signal("both"); // both | difference | folds
 
-/** Whether the compared waves are overlaid or subtracted, or the folds stand side by side. */
+/** Whether the comparison shows waves overlaid, waves subtracted, or the folds next to each other. */
 export const compareMode = readonly(_mode);
 
 export function setCompareMode(mode) {

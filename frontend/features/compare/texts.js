@@ -3,13 +3,13 @@
 export const COMPARE = {
   title: "Compare A and B",
   hold: { a: "Hold A", b: "Hold B" },
-  holdHelp: { a: "Keep this voice as A (key A)", b: "Keep this voice as B (key B)" },
-  held: { a: "A is held. Change something: B is what you see.", b: "B is held." },
-  free: "B follows the hand",
+  holdHelp: { a: "Hold this voice as A (key A)", b: "Hold this voice as B (key B)" },
+  held: { a: "A is held. Change something: B is the voice you see.", b: "B is held." },
+  free: "Release B",
   forget: "Forget both",
   live: "live",
   heldMark: "held",
-  start: "Hold a voice as A, then change something. What you see is B until you hold that too.",
+  start: "Hold a voice as A, then change something. The voice you see is B until you hold it too.",
   hear: { a: "Hear A", b: "Hear B", turn: "In turn" },
   hearHelp: "at equal loudness",
   stop: "Stop",
@@ -25,7 +25,7 @@ export const COMPARE = {
   modeName: "What is compared",
   folds: (percent) => `At ${percent} % of each cycle`,
   foldsPicture:
-    "Glottis from above, aerodynamic and contact pressure on the medial surface of A and B at the same phase, same limits",
+    "Glottis from above and pressures on the medial surface of A and B, at the same phase and with the same limits",
   back: "Go back to A",
   none: "–",
   short: {

@@ -18,7 +18,7 @@ export function valueOf(row, values) {
   return `${numberText(value, decimals)}${!row.unit || row.unit === "1" ? "" : ` ${row.unit}`}`;
 }
 
-/** What one step of the history changed: "CT 0.60", "3 settings", a preset's name. */
+/** The change of one step of the history: "CT 0.60", "3 settings", a preset's name. */
 export function changeSummary(schema, before, after, presetLabel, words) {
   if (presetLabel) return presetLabel;
   const rows = before ? differingSettings(schema, before, after) : [];

@@ -10,7 +10,7 @@ import { prefetchAround } from "../live/posture-prefetch.js";
 
 const LEAP = 10; // Shift moves by ten steps
 
-/** `also(value)`: the value in a second unit; `role`: one line of what it does. */
+/** `also(value)`: the value in a second unit; `role`: what the control does, in one line. */
 export function Slider({ path, colour, role = "", also }) {
   const row = schema.value.parameters.get(path);
   const value = useComputed(() => values.value[path]).value;

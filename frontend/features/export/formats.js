@@ -1,12 +1,18 @@
 /** A voice in other formats: waves as CSV, the request as Python and as curl. Pure. */
 import { slope } from "../waves/stack.js";
 
-/** The waves of a result as CSV in SI units, one row a sample. Pure. */
+/** The waves of a result as CSV in SI units, one row per sample. Pure. */
 export function wavesCsv(result) {
   const { rate, startS, waves } = result;
   const derivative = slope(waves.flow, 0, waves.flow.length - 1, rate);
-  const head =
-    "time_s,radiated_pressure_pa,glottal_flow_m3_s,glottal_flow_derivative_m3_s2,glottal_area_m2,contact_pressure_max_pa";
+  const head = [
+    "time_s",
+    "radiated_pressure_pa",
+    "glottal_flow_m3_s",
+    "glottal_flow_derivative_m3_s2",
+    "glottal_area_m2",
+    "contact_pressure_max_pa",
+  ].join(",");
   const rows = Array.from({ length: waves.flow.length }, (_, k) =>
     [
       (startS + k / rate).toFixed(7),
@@ -16,7 +22,7 @@ export function wavesCsv(result) {
   return [head, ...rows, ""].join("\n");
 }
 
-/** A Python script that makes the request's voice again. Pure. `request`: the document of params.js. */
+/** A Python script that computes the voice of `request`, a request document. Pure. */
 export function pythonCode(request) {
   return `import vfcore
 from vfcore.request import simulation_from_dict

@@ -1,11 +1,11 @@
 /** Texts of the export. */
 
 export const EXPORT = {
-  title: "Keep and share",
+  title: "Export and share",
   report: "Report to print",
   code: "As Python or curl",
-  figures: "Pictures shown now",
-  data: "Data of the run shown",
+  figures: "Pictures on the page",
+  data: "Data of this run",
   svg: "SVG",
   png: "PNG",
   wav: "Sound (WAV)",
@@ -13,7 +13,7 @@ export const EXPORT = {
   csv: "Measures (CSV)",
   waves: "Waves (CSV)",
   figure: (title, kind) => `${title} as ${kind}`,
-  open: "Keep",
+  open: "Export",
   openHelp: "Report, pictures, data, code",
 };
 

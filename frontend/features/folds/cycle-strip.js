@@ -19,7 +19,7 @@ export const MOMENTS = 6;
 /** Phase of column `k`, 0 to 1: the middle of its sixth of the cycle. */
 export const phaseAt = (k) => (k + 0.5) / MOMENTS;
 
-/** What a column shows of a voice at a phase. */
+/** The contents of one column: a voice at a phase. */
 export const columnOf = (fields, phase, label) => ({
   fields,
   label,
@@ -28,7 +28,7 @@ export const columnOf = (fields, phase, label) => ({
   contact: fieldAt(fields, "contact", phase),
 });
 
-/** `columns`: of columnOf; `scales`: {aero, contact}; `reach`: mm shown beside the midline; `long`: mm shown along it. */
+/** `columns`: of columnOf; `scales`: {aero, contact}; `reach`, `long`: mm shown across and along the midline. */
 export function drawColumns(context, box, { columns, scales, reach, long = null, colours }, unit, font, words) {
   const left = 2.9 * unit;
   const each = (box.width - left - 0.7 * unit) / columns.length;

@@ -4,7 +4,7 @@
 import { colourWriter } from "../../core/colours.js";
 import { drawFrame, fieldIn, strokePoints } from "../../core/plot-frame.js";
 
-/** Shares of the length at which kymograms are usually read, anterior 0. */
+/** Fractions of the length at which kymograms are usually read, anterior 0. */
 export const LEVELS = [0.2, 0.35, 0.5, 0.65, 0.8];
 
 export const CYCLES = 2;
@@ -52,7 +52,7 @@ export function vibrogramOf({ phases, nx, ny, medial, w }) {
 
 export const foldsField = (box, unit) => fieldIn(box, unit);
 
-/** `lines` of kymogram.js; `limit` mm on both sides. */
+/** `lines`: of kymogramOf; `limit`: mm on both sides. */
 export function drawKymogram(context, box, { lines, limit, colours, xLabel }, unit, font, words) {
   const field = foldsField(box, unit);
   const axes = {

@@ -13,7 +13,7 @@ import { FOLDS } from "./texts.js";
 
 const _level = signal(0.5);
 
-/** Share of the length, anterior 0. */
+/** Level of the kymogram as a fraction of the length, anterior 0. */
 export const kymogramLevel = readonly(_level);
 
 export function setKymogramLevel(level) {

@@ -70,7 +70,7 @@ export function extremeShapes(fields) {
   const all = Array.from({ length: fields.phases }, (_, k) =>
     foldEdges(fields, fieldAt(fields, "w", k / fields.phases)),
   );
-  // Signed, so that of all closed moments the one pressed hardest counts as most closed.
+  // Signed: among the closed moments the one with the strongest compression counts as most closed.
   const { open, closed } = extremePhases(all.map((edges) => edges.inner.reduce((sum, r) => sum + r, 0)));
   return { open: all[Math.round(open * fields.phases)], closed: all[Math.round(closed * fields.phases)] };
 }

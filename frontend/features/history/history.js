@@ -9,21 +9,21 @@ const _past = signal({ entries: [], at: -1 });
 
 /** [{values, state, pitch}], oldest first. */
 export const entries = computed(() => _past.value.entries);
-/** Which of them is shown. */
+/** The place of the present one. */
 export const at = computed(() => _past.value.at);
 export const canUndo = computed(() => _past.value.at > 0);
 export const canRedo = computed(() => _past.value.at < _past.value.entries.length - 1);
 
 const same = (a, b) => Object.keys(b).every((key) => a[key] === b[key]);
 
-/** The history after resting on `entry`: what was undone is dropped; the oldest fall out. Pure. */
+/** The history with `entry` added: undone entries are dropped, and the oldest ones beyond MOST. Pure. */
 export function remember({ entries: known, at: place }, entry) {
   if (known[place] && same(known[place].values, entry.values)) return { entries: known.with(place, entry), at: place };
   const next = [...known.slice(0, place + 1), entry].slice(-MOST);
   return { entries: next, at: next.length - 1 };
 }
 
-/** Starts remembering; returns the end of it. */
+/** Starts recording; returns a function that stops it. */
 export function followHistory() {
   return effect(() => {
     const shown = settled.value;

@@ -4,7 +4,7 @@ export const HISTORY = {
   title: "This visit",
   undo: "Undo",
   redo: "Redo",
-  empty: "Every voice you rest on is kept here until the page is closed.",
+  empty: "Every voice you stop at is listed here until the page is closed.",
   first: "Start",
   several: (n) => `${n} settings`,
 };

@@ -13,9 +13,9 @@ import { changeSummary } from "../controls/settings-text.js";
 import { at, canRedo, canUndo, entries, goTo, redo, undo } from "./history.js";
 import { HISTORY } from "./texts.js";
 
-const NOTICE_S = 3; // on a phone it lies over what one would move next
+const NOTICE_S = 3; // on a phone it covers controls
 
-/** Hold or release a side, say so, and show the comparison. */
+/** Hold or release a side, announce it, and show the comparison. */
 export function toggleHold(side) {
   if (side === "b" && held.peek().b) return release("b");
   if (!hold(side)) return;

@@ -14,13 +14,13 @@ const _problem = signal(false);
 
 /** [{key, title, about, steps}], or null before they are loaded. */
 export const lessons = readonly(_index);
-/** The lesson under way, or null. */
+/** The present lesson, or null. */
 export const lesson = readonly(_lesson);
 export const step = readonly(_step);
 export const lessonProblem = readonly(_problem);
 export const present = computed(() => _lesson.value?.steps[_step.value] ?? null);
 
-/** Keys of the measures a step speaks of. Pure. */
+/** Keys of the measures that a step names. Pure. */
 export const measuresOf = ({ expect }) => [...new Set(expect.flatMap(({ measure }) => measure ?? []))];
 
 export function takeLessons(index) {
@@ -50,7 +50,7 @@ export function goToStep(place) {
   });
 }
 
-/** Back to the list; the voice stays. */
+/** Back to the list; the voice is unchanged. */
 export function endLesson() {
   batch(() => {
     _lesson.value = null;

@@ -2,7 +2,7 @@
 
 export const LESSONS = {
   title: "Lessons",
-  about: "Eight short lessons on the live model. Each step sets the voice; what changes is yours to look for.",
+  about: "Eight short lessons on the live model. Each step sets the voice. Watch what changes.",
   step: (k, n) => `Step ${k} of ${n}`,
   next: "Next",
   back: "Back",

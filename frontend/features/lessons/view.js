@@ -23,7 +23,7 @@ export function LessonCard() {
   const { key, title: name, steps } = lesson.value;
   const place = step.value;
   useEffect(() => title.current.focus({ preventScroll: true }), [key]);
-  useEffect(() => scrollTo(0, 0), [key, place]); // on a phone the list of lessons lay further down
+  useEffect(() => scrollTo(0, 0), [key, place]); // on a phone the list of lessons is further down
   const { say, see } = present.value;
   const last = place === steps.length - 1;
   return html`
@@ -53,7 +53,7 @@ export function LessonCard() {
   `;
 }
 
-/** What the step speaks of, as it is now: it need not stand on the panel the step looks at. */
+/** The present values of the measures that the step names; the panel of the step may not show them. */
 function Numbers() {
   const measures = result.value?.measures ?? {};
   return html`

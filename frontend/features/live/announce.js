@@ -19,7 +19,7 @@ export function sentenceOf(shown) {
   return `${parts.join(", ")}.`;
 }
 
-/** Starts speaking; returns the end of it. */
+/** Starts announcing; returns a function that stops it. */
 export function followAnnouncements() {
   let waiting = 0;
   const stop = effect(() => {

@@ -16,11 +16,11 @@ import { cachedPosture, fetchMissing } from "./posture-prefetch.js";
 
 export const LIVE_S = 0.5;
 const RETRY_MS = 1500;
-// Between postures and between runs beside a played voice: it has the machine first, and shows what it does.
+// Pauses between postures and between runs during live play: the played voice comes first, and it shows its own shape.
 const PLAYED_POSTURE_REST_MS = 80;
 const PLAYED_RUN_REST_MS = 600;
 
-/** Starts following the request; returns the end of it. */
+/** Starts following the request; returns a function that stops it. */
 export function followRequest() {
   let retry = 0;
   const failed = (call) => (error, job) => {
@@ -35,7 +35,7 @@ export function followRequest() {
   };
   let shown = 0;
   const show = (answer, job) => {
-    if (job.version < shown) return; // a newer one was at hand
+    if (job.version < shown) return; // a newer one came from the cache
     shown = job.version;
     takePosture(answer, job.gesture);
     afterPaint(() => recordShown("slider to shape", job.version));
@@ -51,7 +51,7 @@ export function followRequest() {
   const voices = new LatestOnly(
     (job) => callWorker("voice", job.body),
     (answer, job) => {
-      setConnection("ready"); // where the shape was at hand no other call says so
+      setConnection("ready"); // a cached shape made no call that would have said so
       takeResult(answer, job.version);
       afterPaint(() => recordShown("slider to all", job.version));
     },

@@ -6,24 +6,24 @@ import { callWorker } from "../../core/api-worker-client.js";
 import { postureRequest } from "../../core/parameters.js";
 import { movedTogether, schema, values } from "../../state/request.js";
 
-const ROWS = 12; // one for each control and everything else as it was
-const AT_ONCE = 12; // in one call, which then takes about a frame
-const REACH = 40; // steps to either side of the hand
+const ROWS = 12; // each for one control, with fixed values of all others
+const AT_ONCE = 12; // per call, which then takes about one frame
+const REACH = 40; // steps on either side of the present value
 
 const rows = new Map(); // name of a row → Map of value → answer, null where the model has none; oldest row first
-let path = null; // of the control at hand
+let path = null; // of the control in use
 let asking = false;
 
-/** The answer to the present request, when its place in the row at hand was reached before. */
+/** The answer to the present request, if it is in the cache. */
 export const cachedPosture = () => (path === null ? undefined : row().get(values.peek()[path]));
 
-/** The hand has come to the control of this path. */
+/** The user has reached the control of this path. */
 export function prefetchAround(newPath) {
   path = newPath;
   fetchMissing();
 }
 
-/** Fetch what is missing around the hand, call by call; the hand may move meanwhile. */
+/** Fetch the missing neighbours of the present value, call by call; the value may change meanwhile. */
 export async function fetchMissing() {
   if (asking || path === null) return;
   asking = true;
@@ -38,19 +38,19 @@ export async function fetchMissing() {
       next.forEach((value, k) => found.set(value, answers[k]));
     }
   } catch {
-    // What could not be had ahead is asked for when the hand gets there, and that call says what is wrong.
+    // A posture that could not be prefetched is requested when its value is set; that call reports the problem.
   }
   asking = false;
 }
 
-/** The present request without what the control at hand sets. */
+/** The present request without the values of the control in use. */
 const requestWithoutControl = () => {
   const others = { ...values.peek() };
   for (const moved of movedTogether(path)) others[moved] = schema.peek().parameters.get(moved).default;
   return postureRequest(schema.peek(), others);
 };
 
-/** Answers by value of the control at hand, everything else as it is now. */
+/** Answers by value of the control in use, for the present values of all others. */
 function row() {
   const name = JSON.stringify([movedTogether(path), requestWithoutControl()]);
   if (!rows.has(name)) {
@@ -60,7 +60,7 @@ function row() {
   return rows.get(name);
 }
 
-/** The values around the hand that were not reached yet, the nearest first, as many as one call takes. */
+/** Neighbouring values without an answer yet, nearest first, as many as one call takes. */
 function missing() {
   const { step, min, max, decimals } = schema.peek().parameters.get(path);
   const now = values.peek()[path];

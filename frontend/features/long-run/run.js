@@ -16,7 +16,7 @@ const _problem = signal("");
 export const duration = readonly(_duration);
 /** The job as the server describes it, or null. */
 export const job = readonly(_job);
-/** Why it could not be handed in or followed. */
+/** Why it could not be submitted or followed. */
 export const jobProblem = readonly(_problem);
 
 export function setDuration(seconds) {

@@ -2,8 +2,7 @@
 
 export const RUN = {
   title: "A longer run",
-  about:
-    "The present settings over up to ten seconds, worked on in the background: onset, slow change, a file to keep.",
+  about: "Runs the present settings for up to ten seconds in the background: onset, slow change, a file to keep.",
   duration: "Duration",
   start: "Run",
   cancel: "Cancel",

@@ -8,7 +8,7 @@ import { PlotlyPlace } from "../../core/plotly.js";
 import { fontFamily, palette } from "../../core/theme.js";
 import { narrow } from "../../state/look.js";
 
-/** How a cell without a value is marked; every kind has a sign of its own, so that colour is not needed. */
+/** Marks of cells without a value. Each kind has its own sign, so colour is not needed. */
 export const CELL_MARKS = {
   subharmonic: { symbol: "diamond-open", sign: "◇" },
   weak: { symbol: "circle-open", sign: "○" },
@@ -155,7 +155,7 @@ function ends(values) {
   return [values[0] - half, values.at(-1) + half];
 }
 
-/** Limits of the colours: of the values, or as far below 0 as above; something to stand on while there are none. */
+/** Limits of the colours: those of the values, or symmetric about 0; [0, 1] while there are no values. */
 function limits(known, diverging) {
   if (!known.length) return [0, 1];
   const [low, high] = [Math.min(...known), Math.max(...known)];
@@ -164,7 +164,7 @@ function limits(known, diverging) {
   return [-most, most];
 }
 
-/** Contours at round numbers: at most about `count` from `low` to `high`. */
+/** Contours at round numbers: about `count` at most from `low` to `high`. */
 function levels(low, high, count) {
   const least = (high - low) / count;
   const power = 10 ** Math.floor(Math.log10(least));
@@ -172,6 +172,7 @@ function levels(low, high, count) {
   return { start: Math.ceil(low / size) * size, end: Math.floor(high / size) * size, size };
 }
 
+/** A map to click: follows the signals that `map()` reads; calls `onPick(xValue, yValue)`. */
 export function ActivationMap({ name, label, title, heading, map, words, onPick }) {
   const figure = () => activationMapFigure(map(), palette.value, words, narrow.value);
   return html`
@@ -186,7 +187,7 @@ export function ActivationMap({ name, label, title, heading, map, words, onPick 
   `;
 }
 
-/** Names and counts of the cells without a value; `states` may hold others, which are not told. */
+/** Names and counts of the cells without a value; other `states` are ignored. */
 export function CellLegend({ states, words, counted }) {
   const present = Object.entries(CELL_MARKS).map(([state, { sign }]) => [
     state,

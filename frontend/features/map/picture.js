@@ -5,7 +5,7 @@ import { difference, heldMap, map, measure } from "./state.js";
 import { differenceOf, mapOf, samePoints } from "./sweep.js";
 import { MAP } from "./texts.js";
 
-/** {values, states} of the measure shown, or of its difference from A; null before there is a map. */
+/** {values, states} of the chosen measure, or of its difference from A; null before the first map. */
 export const shownCells = computed(() => {
   if (!map.value) return null;
   const [a, b] = [heldMap.value?.table, map.value.table];
@@ -23,13 +23,13 @@ export function axisLabel({ paths: [path, tied] }) {
   return `${row.name}${row.unit === "1" ? "" : ` (${row.unit})`}`;
 }
 
-/** The same in full, where there is room: "Cricothyroid (CT)". */
+/** The same in full: "Cricothyroid (CT)". */
 function axisName(axis) {
   const row = schema.value.parameters.get(axis.paths[0]);
   return row.group === "muscles" && axis.paths.length === 1 ? `${row.name} (${row.short})` : axisLabel(axis);
 }
 
-/** What plots/activation-map.js draws. */
+/** The argument of activationMapFigure. */
 export function pictureOf(colours) {
   const { axes } = map.value.table;
   const row = catalogue.value.get(measure.value);

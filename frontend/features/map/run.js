@@ -8,12 +8,12 @@ import { axes, following, map, MEASURES, MOST_STEPS, takeMap, takeMapProblem, ta
 import { axisOf, runSweep } from "./sweep.js";
 import { MAP } from "./texts.js";
 
-const REST_MS = 500; // without a movement before a map is made anew
+const REST_MS = 500; // without a movement before the map is computed again
 
 let run = null; // {control, ended}
 let madeWith = "";
 
-/** Make the map of the present settings; the one under way is stopped first, as it may be the same job. */
+/** Compute the map of the present settings. A running one is stopped first: it may be the same job. */
 export function startMap() {
   const before = run;
   before?.control.abort();
@@ -65,19 +65,19 @@ function refusalOf([up, right]) {
   return uncounted ? MAP.steps(MOST_STEPS) : "";
 }
 
-/** The settings that a map over `wanted` has in common. */
+/** The settings that all cells of a map over `wanted` share. */
 function others(wanted, settings) {
   const moved = wanted.flatMap(({ paths }) => paths);
   return JSON.stringify(Object.entries(settings).filter(([path]) => !moved.includes(path)));
 }
 
-/** Put the posture of a cell on the page: the settings of the map with the numbers of its axes. */
+/** Set the voice of a cell: the settings of the map with the cell's values on its axes. */
 export function loadCell({ table, values: settings }, point) {
   const moved = table.axes.flatMap(({ paths }, k) => paths.map((path) => [path, point[k]]));
   restoreValues({ ...settings, ...Object.fromEntries(moved) });
 }
 
-/** Starts making the map anew when other settings than its axes have changed and rest; returns the end of it. */
+/** Computes the map again once settings other than its axes have changed; returns a function that stops it. */
 export function followSettings() {
   let waiting = 0;
   const stop = effect(() => {

@@ -1,7 +1,7 @@
 /** State of the map over two parameters: what is requested, what has arrived, and the map held as A. */
 import { batch, readonly, signal } from "../../core/ui.js";
 
-/** What every map computes, in the order offered. */
+/** The measures of every map, in the order of the menu. */
 export const MEASURES = [
   "fo_hz",
   "spl_30cm_db",
@@ -12,7 +12,7 @@ export const MEASURES = [
   "cpp_db",
   "gap_mm",
 ];
-/** More points than 50 × 50 would be told by the server without their numbers. */
+/** Above 50 × 50 points the server's events come without numbers. */
 export const MOST_STEPS = 50;
 const STEPS = 21;
 
@@ -30,17 +30,17 @@ const _problem = signal("");
 
 /** Two of {paths, from, to, steps}: up, to the right. Several paths move together. */
 export const axes = readonly(_axes);
-/** Key of the measure shown. */
+/** Key of the chosen measure. */
 export const measure = readonly(_measure);
-/** {job, table, values}: the newest map, and the settings it was made with; null before the first. */
+/** {job, table, values}: the newest map and its settings; null before the first. */
 export const map = readonly(_map);
-/** The map kept as A, or null. */
+/** The map held as A, or null. */
 export const heldMap = readonly(_heldMap);
 /** Whether the map minus A is wanted. */
 export const difference = readonly(_difference);
 /** Whether the map follows the settings that are not its axes. */
 export const following = readonly(_following);
-/** {done, total} of the run under way, or null. */
+/** {done, total} of the present run, or null. */
 export const running = readonly(_running);
 export const mapProblem = readonly(_problem);
 
@@ -68,7 +68,7 @@ export function takeRunning(progress) {
   _running.value = progress;
 }
 
-/** The map before stays until the new one has a point. */
+/** The previous map stays until the new one has a point. */
 export function takeMap(news, values) {
   batch(() => {
     _running.value = { done: news.table.done, total: news.table.total };

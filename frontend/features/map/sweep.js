@@ -7,24 +7,25 @@ import { typed } from "../../core/parameters.js";
 import { API } from "../../core/texts.js";
 
 /**
- * `tell({job, table})` whenever something came; resolves when the job has ended, or has been dismissed because
- * `signal` was aborted. `axes`: [{paths, values}] of at most 2500 points, so that events bring the numbers.
+ * Run a sweep. Calls `report({job, table})` after every event; resolves when the job has ended, or was dismissed
+ * because `signal` was aborted. `axes`: [{paths, values}] of at most 2500 points, so that events carry the numbers.
  */
-export async function runSweep({ base, axes, measures }, tell, signal) {
+export async function runSweep({ base, axes, measures }, report, signal) {
   let job = await postJson("jobs", sweepRequest(base, axes, measures));
   let table = emptyTable(axes, measures);
-  const said = (news) => {
+  const publish = (news) => {
     ({ job = job, table = table } = news);
-    if (!signal.aborted) tell({ job, table });
+    if (!signal.aborted) report({ job, table });
   };
-  const readAll = async () => said({ table: withResult(table, await getJson(`jobs/${job.id}/result?partial=true`)) });
-  said({});
+  const readAll = async () =>
+    publish({ table: withResult(table, await getJson(`jobs/${job.id}/result?partial=true`)) });
+  publish({});
   if (isActive(job) && !signal.aborted) {
     await followed(job, signal, {
-      // What was computed before the stream stood, now or after a break, is told by nobody.
-      stands: readAll,
-      progress: (document) => said({ job: document }),
-      point: (points) => said({ table: withPoints(table, points) }),
+      // Points computed before the stream was open, now or after a break, have no event.
+      opened: readAll,
+      progress: (document) => publish({ job: document }),
+      point: (points) => publish({ table: withPoints(table, points) }),
     });
   }
   if (signal.aborted) return dismiss(job);
@@ -36,7 +37,7 @@ function followed({ links }, signal, on) {
   const events = new EventSource(new URL(links.events, link("")));
   return new Promise((resolve, reject) => {
     signal.addEventListener("abort", resolve);
-    events.onopen = () => on.stands().catch(reject);
+    events.onopen = () => on.opened().catch(reject);
     events.onerror = () =>
       events.readyState === EventSource.CLOSED && reject(new Problem(0, API.noAnswer, API.noEvents));
     events.addEventListener("progress", ({ data }) => on.progress(JSON.parse(data)));
@@ -48,7 +49,7 @@ function followed({ links }, signal, on) {
   }).finally(() => events.close());
 }
 
-/** A job that has ended meanwhile needs no stopping. */
+/** A job that has ended meanwhile need not be stopped. */
 async function dismiss({ id }) {
   try {
     await call(`jobs/${id}`, { method: "DELETE" });
@@ -57,7 +58,7 @@ async function dismiss({ id }) {
   }
 }
 
-/** {paths, values} from what was typed: {paths, from, to, steps}. Whole numbers stay whole. */
+/** {paths, values} from the user's input {paths, from, to, steps}. Whole numbers stay whole. */
 export function axisOf({ paths, from, to, steps }, row) {
   const [low, high] = [Number(typed(String(from))), Number(typed(String(to)))];
   const count = Number(steps);
@@ -73,7 +74,7 @@ export function sweepRequest(base, axes, measures) {
 }
 
 /**
- * Nothing known yet. `states` and `measures` run over all points, last axis fastest: state null: not computed,
+ * A table without points. `states` and `measures` run over all points, last axis fastest. State null: not computed,
  * "failed": no answer; a measure null: no value. `reasons`: {key: [{reason, points}]}, `problems`: [{index, detail}].
  */
 export function emptyTable(axes, measures) {
@@ -106,7 +107,7 @@ export function withPoints(table, { index, phonation_state: states, measures, pr
   return counted(next);
 }
 
-/** The table with a whole or partial result; what was known and is still pending there stays. */
+/** The table with a whole or partial result; known points that are pending in it are unchanged. */
 export function withResult(table, { phonation_state: states, measures, problems, pending }) {
   const waiting = new Set(pending);
   const merged = (before, now) => before.map((old, k) => (waiting.has(k) ? old : now[k]));
@@ -126,12 +127,12 @@ export function withResult(table, { phonation_state: states, measures, problems,
 
 const counted = (table) => ({ ...table, done: table.states.filter((state) => state !== null).length });
 
-/** Whether two tables hold the same points, so that one can be taken from the other. */
+/** Whether two tables hold the same points, so that they can be subtracted. */
 export const samePoints = (a, b) => JSON.stringify(a.axes) === JSON.stringify(b.axes);
 
 /**
- * What a map of measure `key` shows: {values, states}. Only a periodic voice has one pitch. A cell that
- * is computed, repeats, and has no value is "unvalued"; null: not computed yet.
+ * The cells of a map of measure `key`: {values, states}. Only a periodic voice has one pitch. A computed periodic cell
+ * without a value is "unvalued"; null: not computed yet.
  */
 export function mapOf(table, key) {
   const values = table.measures[key].map((value, k) =>
@@ -143,7 +144,7 @@ export function mapOf(table, key) {
   };
 }
 
-/** Measure `key` of `b` minus that of `a`; a cell without a value has the state of the one that lacks it. */
+/** Measure `key` of `b` minus that of `a`. A cell without a value has the state of the map that lacks it. */
 export function differenceOf(a, b, key) {
   const [before, after] = [mapOf(a, key), mapOf(b, key)];
   const lacks = (k) => after.values[k] === null || before.values[k] === null;

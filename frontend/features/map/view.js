@@ -137,7 +137,7 @@ function Axis({ place, direction }) {
   `;
 }
 
-/** Every number there is, by group as the server orders them: the muscles first. */
+/** All numeric parameters, in the server's groups: the muscles first. */
 function Parameters() {
   const numbers = [...schema.value.parameters.values()].filter(({ type }) => type === "number" || type === "integer");
   const named = (row) => (row.group === "muscles" ? `${row.name} (${row.short})` : row.name);
@@ -163,14 +163,14 @@ function Parameters() {
   );
 }
 
-/** All of a muscle; of another number half to one and a half times its default, or all that is allowed. */
+/** A muscle: its whole range. Another number: 0.5 to 1.5 times its default, within the allowed range. */
 function usualRange({ group, default: usual, min, max }) {
   if (group === "muscles" || !usual) return { from: min, to: max };
   const [from, to] = [0.5 * usual, 1.5 * usual].sort((a, b) => a - b).map((value) => Number(value.toPrecision(6)));
   return { from: Math.max(from, min), to: Math.min(to, max) };
 }
 
-/** Stands in another row, where it has room for the progress. */
+/** Start, progress and cancel: in another row, where the progress bar has room. */
 export function MapRun() {
   const progress = running.value;
   if (!progress)
@@ -263,7 +263,7 @@ export function MapCells({ cells }) {
   `;
 }
 
-/** The way into a cell, and to its value, without a pointer. */
+/** Choose a cell and read its value without a pointer. */
 function CellPicker({ cells }) {
   const { axes } = map.value.table;
   const [chosen, setChosen] = useState([0, 0]);

@@ -12,7 +12,7 @@ import { connection } from "../../state/session.js";
 import { hintFor, MEASURE } from "./texts.js";
 import { expected } from "./value-text.js";
 
-/** `withLook`: what to look for in the preset chosen, where the page has no other place for it. */
+/** `withLook`: also show what to look for in the chosen preset, where the page has no other place for it. */
 export function PhonationState({ withLook = false }) {
   const shown = result.value;
   const state = shown?.state ?? "waiting";
@@ -41,7 +41,7 @@ function lineOf(shown, look) {
   if (connection.value === "offline") return APP.offline;
   if (failure.value) return failure.value;
   if (look && shown) return look;
-  // The state's own name stands above already.
+  // The name of the state is already above.
   return shown
     ? capital(shown.explanation.replace(/^(Periodic|Subharmonic|Irregular|No phonation|No sustained phonation): /, ""))
     : "";

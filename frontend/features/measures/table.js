@@ -90,7 +90,7 @@ function Row({ row }) {
   `;
 }
 
-/** Measures as tab-separated rows for a sheet: name, symbol, value, unit, published range, source, reason. Pure. */
+/** Rows for a spreadsheet: name, symbol, value, unit, published range, source, definition, reason. Pure. */
 export function measureRows(catalogue, measures, words) {
   const rows = [...catalogue.values()].map((row) => {
     const measure = measures[row.key];
@@ -112,7 +112,7 @@ export function measureRows(catalogue, measures, words) {
 export const asTsv = (rows) =>
   rows.map((row) => row.map((cell) => String(cell).replace(/[\t\n]/g, " ")).join("\t")).join("\n");
 
-/** The same rows as an HTML table, which documents take. Pure. */
+/** The same rows as an HTML table, for text documents. Pure. */
 export function asMarkup(rows) {
   const cell = (text) => `<td>${String(text).replace(/[&<>]/g, (sign) => `&#${sign.charCodeAt(0)};`)}</td>`;
   return `<table>${rows.map((row) => `<tr>${row.map(cell).join("")}</tr>`).join("")}</table>`;

@@ -22,7 +22,7 @@ export const MEASURE = {
   source: "Source",
   noRange: "No published range for this measure.",
   cycles: (n) => (n ? `Mean over ${n} cycles of the last half of the run.` : "From the last half of the run."),
-  caution: "With the paper’s constants absolute flow and level lie well above a human’s; read trends and shapes.",
+  caution: "With the paper’s constants, flow and level are well above human values; read trends and shapes.",
   open: (name) => `${name}: definition, expected values, source`,
   table: "All measures",
   columns: ["Measure", "Value", "Published"],
@@ -46,6 +46,6 @@ export function hintFor(values, gapMm) {
   if (!apart && values["activation.ta"] > 0.6) advice.push("less TA");
   if (!apart && values["activation.ct"] > 0.7) advice.push("less CT");
   if (!advice.length) advice.push(apart ? "a posture closer to the midline" : "another lung pressure");
-  const cause = apart ? `The vocal processes stand ${gapMm.toFixed(1)} mm apart. ` : "";
+  const cause = apart ? `The vocal processes are ${gapMm.toFixed(1)} mm apart. ` : "";
   return `${cause}Try ${advice.join(", ").replace(/, ([^,]*)$/, " or $1")}.`;
 }

@@ -2,7 +2,7 @@
 import { numberText } from "../../core/axis.js";
 import { MEASURE } from "./texts.js";
 
-/** The published range, "1.3 – 2.8", in the unit shown. */
+/** The published range, "1.3 – 2.8", in the unit of the page. */
 export function rangeOf(row, { factor = 1, decimals = row.decimals } = {}) {
   const { low, high } = row.normal_range;
   const text = (v) => numberText(v * factor, decimals);

@@ -38,7 +38,7 @@ const DIALOGS = {
   report: ReportDialog,
 };
 
-/** `entered()` is called when the server has taken a token. */
+/** `entered()` is called when the server has accepted a token. */
 export function App({ entered }) {
   const shown = open.value;
   const Top = shown && DIALOGS[shown.name];
@@ -143,7 +143,7 @@ export function Starting() {
   `;
 }
 
-/** `entered()` is called once the server has taken the token. */
+/** `entered()` is called when the server has accepted the token. */
 export function Login({ entered }) {
   const field = useRef(null);
   const [problem, setProblem] = useState("");

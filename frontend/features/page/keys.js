@@ -13,7 +13,7 @@ import { toggleSound } from "../sound/sound.js";
 
 const PHASE_STEP = 0.01;
 
-/** Starts listening; returns the end of it. */
+/** Starts listening; returns a function that stops it. */
 export function followKeys() {
   const disposal = new Disposal();
   disposal.listen(document, "keydown", onKey);
@@ -56,10 +56,10 @@ function actionOf(key, target) {
   return path ? () => chooseMuscle(path) : null;
 }
 
-/** Space presses a focused button itself. */
+/** A focused button takes Space itself. */
 const takesSpace = (target) => target.matches?.("button, a, summary, input[type=checkbox], input[type=radio], audio");
 
-/** What is played is shown; stopping leaves the page as it is. */
+/** Start and show the played voice, or stop it and leave the page unchanged. */
 function togglePlay() {
   if (isOn()) return stopPlaying();
   if (!canPlay()) return;

@@ -16,7 +16,7 @@ const Play = lazy(() => import("../play/view.js"), "Play");
 const SpectrumPanel = lazy(() => import("../spectrum/view.js"), "SpectrumPanel");
 const MeasureTable = lazy(() => import("../measures/table.js"), "MeasureTable");
 
-/** What stands under each tab; the phone shows some of them too. */
+/** The content of each tab; the phone shows some of them too. */
 export const CONTENT = {
   waves: () => html`
     <${Waves} />

@@ -8,7 +8,7 @@ const SECTION = "paper";
 const MAP = "map";
 const PAUSE_MS = 300; // browsers refuse more than a few address changes a second
 
-/** {changes, unknown}: values by path from a query string, and names that are no parameter. */
+/** {changes, unknown}: values by path from a query string, and names without a parameter. */
 export function readQuery(knownSchema, query) {
   const changes = {};
   const unknown = [];
@@ -22,7 +22,7 @@ export function readQuery(knownSchema, query) {
   return { changes, unknown };
 }
 
-/** `openSection`: of the Paper section, or null; `withMap`: the map over two parameters is shown. */
+/** `openSection`: the open part of the Paper section, or null; `withMap`: the map is open. */
 export function writeQuery(knownSchema, allValues, openSection = null, withMap = false) {
   const query = new URLSearchParams();
   for (const [path, value] of Object.entries(changedValues(knownSchema, allValues))) query.set(path, value ?? "");
@@ -31,7 +31,7 @@ export function writeQuery(knownSchema, allValues, openSection = null, withMap =
   return query.toString();
 }
 
-/** The address of what is shown, at once: the address bar follows a moment later. */
+/** The address of the present page, without the delay of the address bar. */
 export function linkOf(knownSchema, allValues, openSection = null, withMap = false) {
   const here = new URL(location.href);
   here.search = writeQuery(knownSchema, allValues, openSection, withMap);
@@ -39,7 +39,7 @@ export function linkOf(knownSchema, allValues, openSection = null, withMap = fal
   return here.href;
 }
 
-/** Starts keeping the address; returns the end of it. */
+/** Starts updating the address; returns a function that stops it. */
 export function followUrl() {
   let waiting = 0;
   const stop = effect(() => {

@@ -7,7 +7,7 @@ import { paintField } from "../../core/colours.js";
 import { foldEdges } from "../../core/glottis.js";
 import { fieldAt } from "../../core/result.js";
 
-/** Where the matrix of `count` rows stands in a box: {left, columns: [{left, right}], rows: [{top, bottom}]}. */
+/** The layout of a matrix of `count` rows in a box: {left, columns: [{left, right}], rows: [{top, bottom}]}. */
 export function matrixLayout(width, height, count, unit) {
   const left = 2.9 * unit;
   const gap = 0.6 * unit;
@@ -26,7 +26,7 @@ export function matrixLayout(width, height, count, unit) {
 }
 
 /**
- * `phases` 0 to 1, one a row. `scales`: {aero, contact} as for a field map. `reachMm`: half the height of the shapes'
+ * `phases` 0 to 1, one per row. `scales`: {aero, contact} as for a field map. `reachMm`: half the height of the shapes'
  * column. `words`: {opening, aero, contact}.
  */
 export function drawCycleMatrix(context, layout, { fields, phases, scales, reachMm }, colours, font, words) {
@@ -67,7 +67,7 @@ export function drawCycleMatrix(context, layout, { fields, phases, scales, reach
   });
 }
 
-/** Both folds from above, anterior left; what is open in the colour of the opening. */
+/** Both folds from above, anterior left, with the opening between them. */
 export function drawOpening(context, { left, right, top, bottom }, edges, reachMm, colours) {
   const middle = (top + bottom) / 2;
   const x = (u) => left + ((u + edges.lengthMm) / edges.lengthMm) * (right - left);

@@ -16,7 +16,7 @@ export function requestAt({ base, axes }, point) {
   return { ...base, activation: { ...base.activation, ...moved } };
 }
 
-/** Arrays of a shipped voice, numbers in JSON, as those of a reply. */
+/** A shipped voice, whose arrays are numbers in JSON, in the form of a reply. */
 export function voiceOf({ result, arrays, start_s }) {
   const typed = Object.fromEntries(
     Object.entries(arrays).map(([name, { data, ...rest }]) => [
@@ -31,8 +31,8 @@ export function voiceOf({ result, arrays, start_s }) {
 }
 
 /**
- * What a map shows in each cell: "voice" or why there is none. A cell that repeats counts as voice when its flow pulses
- * and it is not far below the level of the others: the rule of the scoreboard, whose numbers come with the figure.
+ * The state of each cell of a map: "voice", or why there is none. A periodic cell counts as voice if its flow pulses
+ * and its level is not far below the others: the rule of the scoreboard, whose limits come with the figure.
  */
 export function mapStates({ states, measures, voicing }) {
   const { ac_flow_ml_s: ac, mean_flow_ml_s: mean, spl_lips_db: level } = measures;
@@ -51,7 +51,7 @@ function medianOf(sorted) {
   return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
 }
 
-const SIDE_BY_SIDE = 2; // the server runs no more of one page at a time
+const SIDE_BY_SIDE = 2; // the server's limit for one page
 const BUSY_MS = 400;
 
 let running = null;
@@ -70,7 +70,7 @@ export function cancelFigure() {
   running?.abort();
 }
 
-/** Compute every point of `figure` and put the new one in its place; one at a time. */
+/** Compute every point of `figure` again and replace the figure; one figure at a time. */
 export async function remake(figure) {
   running?.abort();
   const control = (running = new AbortController());
@@ -98,8 +98,8 @@ export async function remake(figure) {
 }
 
 /**
- * The answer at every point of `figure`, in their order; `report(done, total)` as they come. The one place that knows
- * how points reach the server.
+ * The answers at all points of `figure`, in order; calls `report(done, total)` after each. Only this function knows how
+ * points reach the server.
  */
 async function answersOf(figure, report, signal) {
   const points = pointsOf(figure);
@@ -119,7 +119,7 @@ async function answersOf(figure, report, signal) {
 
 const point = async (body, signal) => (await call("simulate", { method: "POST", body, signal })).json();
 
-/** By kind of figure: how one point is asked for. */
+/** By kind of figure: the call for one point. */
 const ANSWER = {
   static: async ({ run, ...body }, signal) =>
     (await (await call("posture", { method: "POST", body, signal })).json()).static_shape,
@@ -128,7 +128,7 @@ const ANSWER = {
   sweep: point,
 };
 
-/** A busy server is asked again; a run without an answer is an answer. */
+/** Repeats the call while the server is busy. A failed run is an answer too. */
 async function patiently(ask, signal) {
   for (;;) {
     signal.throwIfAborted();
@@ -143,7 +143,7 @@ async function patiently(ask, signal) {
   }
 }
 
-/** `figure` with new answers in the shape of the shipped ones. */
+/** `figure` with new answers in the form of the shipped ones. */
 function assembled(figure, answers) {
   if (figure.kind === "static") return { ...figure, shapes: answers };
   if (figure.kind === "voice") return { ...figure, result: answers[0].header, arrays: answers[0].arrays, start_s: 0 };

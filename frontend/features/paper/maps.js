@@ -10,7 +10,7 @@ import { PAPER } from "./texts.js";
 const KEY = "ct_ta_map";
 const states = computed(() => mapStates(figures.value[KEY]));
 
-/** What one map shows: CT up, TA to the right; the pitch of a subharmonic cell is not one pitch. */
+/** One map: CT up, TA to the right. A subharmonic cell has no single pitch. */
 function mapOf(key) {
   const { axes, measures } = figures.value[KEY];
   const { unit, decimals } = PAPER.measures[key];

@@ -13,6 +13,7 @@ export function Verdict({ verdict }) {
   `;
 }
 
+/** Claims with verdict and measured sentence. `compact`: the sentence is inside the details. */
 export function Claims({ keys, compact = false }) {
   const shown = paper.value.claims.filter(({ key }) => keys.includes(key));
   return html`
@@ -57,7 +58,7 @@ export function Claims({ keys, compact = false }) {
   `;
 }
 
-/** Put the posture of a point of `figure` into the instrument and show it. */
+/** Open the voice of a point of `figure` in the instrument. */
 export function openCase(figure, point) {
   takeRequest(requestAt(figure, point));
   setSection(null);

@@ -51,7 +51,7 @@ export function PaperPca() {
   `;
 }
 
-/** A measure over one activation as a Plotly figure: line and points; where nothing repeats there is none. Pure. */
+/** A measure over one activation as a Plotly figure: line and points, with gaps where nothing repeats. Pure. */
 export function levelCurveFigure({ x, y, xLabel, yLabel, range, current }, colours) {
   const font = {
     family: fontFamily(),

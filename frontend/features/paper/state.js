@@ -8,16 +8,16 @@ const _problem = signal("");
 const _fresh = signal({}); // {key: {figure, made}}
 const _run = signal(null); // {key, done, total}
 
-/** Which of the three voices is shown. */
+/** Which of the three voices is on display. */
 export const voiceShown = readonly(_voice);
-/** The shipped document: {provenance, figures, claims}; null until it is there. */
+/** The shipped document: {provenance, figures, claims}; null until it is loaded. */
 export const paper = readonly(_document);
 export const paperProblem = readonly(_problem);
-/** Figures made in this page: {key: {figure, made}}. */
+/** Figures computed by this page: {key: {figure, made}}. */
 export const fresh = readonly(_fresh);
-/** The run under way: {key, done, total}, or null. */
+/** The present run: {key, done, total}, or null. */
 export const paperRun = readonly(_run);
-/** Figures by key as they are shown: those made here before those shipped. */
+/** Figures by key: those computed here replace the shipped ones. */
 export const figures = computed(() => {
   if (!_document.value) return null;
   const own = Object.fromEntries(Object.entries(_fresh.value).map(([key, { figure }]) => [key, figure]));

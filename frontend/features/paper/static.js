@@ -11,7 +11,7 @@ import { Claims, FigureTools, openCase } from "./parts.js";
 import { figures } from "./state.js";
 import { PAPER } from "./texts.js";
 
-/** One scale for all four, so that they compare. */
+/** One scale for all four, so that they can be compared. */
 function commonLimits(all) {
   const edges = all.flatMap(({ shapes }) => shapes.filter((s) => s.x_m)).map(staticEdges);
   const r = edges.flatMap(({ superior, inferior }) => [...superior, ...inferior]);

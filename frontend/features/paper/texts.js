@@ -2,7 +2,7 @@
 
 // The Paper section.
 export const PAPER = {
-  title: "The paper, as this model draws it",
+  title: "The figures of the paper, computed by this model",
   source: "Serry, Zañartu & Peterson (2026)",
   sections: { static: "Static", modal: "Voices", maps: "Maps", pca: "PCA", scoreboard: "Scoreboard" },
   loading: "Loading the figures",
@@ -17,7 +17,7 @@ export const PAPER = {
   progress: (done, total) => `${done} of ${total}`,
   open: "Open in the instrument",
   verdicts: { pass: "✓ pass", deviation: "≈ deviation", fail: "✗ fail" },
-  claims: "What the paper claims, and what came out",
+  claims: "Claims of the paper, and results",
   says: "The paper",
   test: "The test",
   opensLevel: (name, level) => `${name} ${level}: open in the instrument`,
@@ -41,7 +41,7 @@ export const PAPER = {
   columns: { opening: "Opening, from above", aero: "Aerodynamic pressure", contact: "Contact pressure" },
   narrowColumns: { opening: "Opening", aero: "Air pressure", contact: "Contact" },
   reach: (mm) =>
-    `Openings to one scale, ${mm} mm from the midline at most. Left anterior; pressures: superior edge at the top.`,
+    `Openings share one scale: at most ${mm} mm from the midline. Anterior left; pressures: superior edge at the top.`,
   measures: {
     fo_hz: { name: "Fundamental frequency", unit: "Hz", decimals: 0, claims: ["A1", "A2", "A3", "A4", "A5"] },
     mean_flow_ml_s: { name: "Mean glottal flow", unit: "mL/s", decimals: 0, claims: ["A6"] },

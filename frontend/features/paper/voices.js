@@ -25,7 +25,7 @@ const PHASES = Array.from({ length: 8 }, (_, k) => k / 8);
 const voices = computed(() => Object.fromEntries(KEYS.map((key) => [key, voiceOf(figures.value[key])])));
 const shown = computed(() => voices.value[voiceShown.value]);
 
-/** Limits that all three voices share, so that they compare. */
+/** Limits that all three voices share, so that they can be compared. */
 const common = computed(() => {
   const all = Object.values(voices.value);
   const widest = (name) => ({
@@ -64,6 +64,21 @@ function stackOf(voice) {
 
 const outlinesOf = (voice) => ({ ...extremeShapes(voice.fields), rest: staticEdges(voice.staticShape) });
 
+const wavesModel = () => ({
+  voice: shown.value,
+  stack: stackOf(shown.value),
+  limits: common.value.waves,
+  colours: palette.value,
+});
+
+const matrixModel = () => ({
+  fields: shown.value.fields,
+  phases: PHASES,
+  scales: common.value.scales,
+  reachMm: common.value.reachMm,
+  colours: palette.value,
+});
+
 export function PaperVoice() {
   const figure = figures.value[voiceShown.value];
   const claims = paper.value.claims.map(({ key }) => key).filter((key) => figure.claims.includes(key));
@@ -92,12 +107,7 @@ export function PaperVoice() {
       <figure class="paper-figure">
         <figcaption><h3>${PAPER.waves}</h3></figcaption>
         <div class="paper-picture wave-stack">
-          <${Picture}
-            name="paper-waves"
-            label=${WAVES.picture}
-            paint=${paintWaves}
-            model=${() => ({ voice: shown.value, stack: stackOf(shown.value), limits: common.value.waves, colours: palette.value })}
-          />
+          <${Picture} name="paper-waves" label=${WAVES.picture} paint=${paintWaves} model=${wavesModel} />
           <div class="wave-names" style=${{ "--rows": SHOWN_WAVES.length }}>
             ${stackOf(shown.value).rows.map(
               ({ key, unit }) => html`
@@ -136,12 +146,7 @@ export function PaperVoice() {
     <figure class="paper-figure voice-matrix">
       <figcaption><h3>${PAPER.matrix}</h3></figcaption>
       <div class="paper-picture">
-        <${Picture}
-          name="paper-matrix"
-          label=${PAPER.matrixPicture}
-          paint=${paintMatrix}
-          model=${() => ({ fields: shown.value.fields, phases: PHASES, scales: common.value.scales, reachMm: common.value.reachMm, colours: palette.value })}
-        />
+        <${Picture} name="paper-matrix" label=${PAPER.matrixPicture} paint=${paintMatrix} model=${matrixModel} />
       </div>
       <div class="matrix-bars">
         <p>${PAPER.reach(reachMm)}</p>

@@ -16,12 +16,12 @@ const AXES = [
 
 const _map = signal(null);
 let madeWith = "";
-let making = false; // a map left half-way is begun anew
+let making = false; // an unfinished map is started again
 
-/** {ct, ta, fo} with fo in Hz, CT outermost, null where nothing repeats; null before there is one. */
+/** {ct, ta, fo} with fo in Hz, CT outermost, null where nothing repeats; null before the first map. */
 export const padMap = readonly(_map);
 
-/** Starts keeping the map while the pad is shown; returns the end of it. */
+/** Updates the map while the pad is shown; returns a function that stops it. */
 export function followPad() {
   let waiting = 0;
   let control = new AbortController();
@@ -56,7 +56,7 @@ async function make(mine) {
     await runSweep({ base, axes: AXES, measures: ["fo_hz"] }, take, mine);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
-    _map.value = null; // the pad plays without a map; what is wrong with the settings stands beside them
+    _map.value = null; // the pad works without a map; the refused setting shows why
   } finally {
     making = false;
   }

@@ -1,9 +1,9 @@
 /** Paints the played voice: scrolling waves, the trace of pitch and level, the spectrum, and the CT–TA pad. */
 import { fewTicks, numberText, tickText } from "../../core/axis.js";
 
-const LINE_REM = 0.8; // a line of small print
+const LINE_REM = 0.8; // one line of small print
 
-/** A frame for one line: {left, right, top, bottom, x(share), y(value)} with its scale written at the left. */
+/** A frame for one line, with its scale at the left: {left, right, x(share), y(value)}. */
 function frame(context, box, { top, bottom, low, high, title, unit }, colours, font, rem) {
   const left = 3.1 * rem;
   const right = box.width - 0.5 * rem;
@@ -12,7 +12,7 @@ function frame(context, box, { top, bottom, low, high, title, unit }, colours, f
   context.textBaseline = "middle";
   context.textAlign = "right";
   const marks = fewTicks(low, high);
-  const written = Math.ceil((LINE_REM * rem) / Math.abs(y(marks[1]) - y(marks[0]))); // every how manieth has its number
+  const written = Math.ceil((LINE_REM * rem) / Math.abs(y(marks[1]) - y(marks[0]))); // label every n-th tick
   marks.forEach((mark, k) => {
     context.fillStyle = colours.grid;
     context.fillRect(left, Math.round(y(mark)), right - left, 0.75);
@@ -42,7 +42,7 @@ function polyline(context, points, colour) {
   context.stroke();
 }
 
-/** Area and flow of the last half second, newest at the right. `limits`: one [0, high] a row. */
+/** Area and flow of the last half second, newest at the right. `limits`: one [0, high] per row. */
 export function drawScroll(context, box, { scroll, limits, texts, colours, font, rem }) {
   const rows = [
     { values: scroll.area, colour: colours.area, title: texts.area, unit: "mm²" },
@@ -68,7 +68,7 @@ export function drawScroll(context, box, { scroll, limits, texts, colours, font,
   });
 }
 
-/** Pitch and level of the last seconds; gaps where there is no voice. */
+/** Pitch and level of the last seconds, with gaps where there is no voice. */
 export function drawTrace(context, box, { trace, seconds, limits, texts, colours, font, rem }) {
   const end = trace.length ? trace[trace.length - 1].timeS : 0;
   const rows = [
@@ -97,7 +97,7 @@ export function drawTrace(context, box, { trace, seconds, limits, texts, colours
 const SPECTRUM_HZ = 5000;
 const SPECTRUM_DB = [-100, -20];
 
-/** The spectrum of what sounds, 0 to 5 kHz; `bins` in dB, `hzPerBin`. */
+/** The spectrum of the sound, 0 to 5 kHz; `bins` in dB, `hzPerBin`. */
 export function drawSpectrum(context, box, { bins, hzPerBin, texts, colours, font, rem }) {
   const [low, high] = SPECTRUM_DB;
   const place = frame(
@@ -128,7 +128,7 @@ export function drawSpectrum(context, box, { bins, hzPerBin, texts, colours, fon
   );
 }
 
-/** Where the pad's square lies: {left, top, width, height, toPoint(ct, ta), fromPoint(x, y)}; CT to the right, TA up. */
+/** The place of the pad: {left, top, width, height, toPoint(ct, ta), fromPoint(x, y)}; CT to the right, TA up. */
 export function padLayout(box, rem) {
   const left = 2.4 * rem;
   const top = 0.5 * rem;
@@ -145,7 +145,7 @@ export function padLayout(box, rem) {
   };
 }
 
-/** The pad: map of pitch behind (or nothing), the point where the hand is, and the way it came. */
+/** The pad: the map of pitch, if there is one, and the present point. */
 export function drawPad(context, box, { ct, ta, map, fo, texts, colours, font, rem }) {
   const place = padLayout(box, rem);
   if (map) drawMap(context, place, map, colours);
@@ -195,7 +195,7 @@ function drawPoint(context, place, fo, colours, font, rem) {
   context.fillText(text, at, y);
 }
 
-/** Cells of f_o in Hz, light to dark; cells without a value are left as the ground. `map`: {ct, ta, fo (ct outermost)}. */
+/** Cells of f_o in Hz, light to dark; cells without a value stay empty. `map`: {ct, ta, fo (ct outermost)}. */
 function drawMap(context, place, { ct, ta, fo }, colours) {
   const values = fo.filter((value) => value !== null);
   const [low, high] = [Math.min(...values), Math.max(...values)];
@@ -210,7 +210,7 @@ function drawMap(context, place, { ct, ta, fo }, colours) {
       const value = fo[i * ta.length + j];
       if (value === null) continue;
       const [x, y] = place.toPoint(ct[i], ta[j]);
-      // Whole pixels: cells that overlap or miss each other by a part of one draw a grid.
+      // Whole pixels: overlaps or gaps of a part of a pixel would show as a grid.
       const [left, right, top, bottom] = [x - dx / 2, x + dx / 2, y - dy / 2, y + dy / 2].map(Math.round);
       context.globalAlpha = 0.06 + 0.5 * ((value - low) / (high - low || 1));
       context.fillStyle = colours.pressure;

@@ -11,21 +11,21 @@ import { schema, values, version } from "../../state/request.js";
 import { PLAY } from "./texts.js";
 import { gainOf, setPlaying, volume } from "../sound/sound.js";
 
-const RATE = 48000; // the context resamples to whatever the device has
+const RATE = 48000; // the context resamples to the rate of the device
 const FADE_IN_S = 0.15;
 const FADE_OUT_S = 0.06;
-const KNEE = 0.5; // of full scale: what is louder bends towards 1 and never passes it, without looking ahead
-const LOUDEST = 4; // the server's full scale leaves room for 170 dB; modal voice peaks at a tenth of it
+const KNEE = 0.5; // of full scale: louder samples approach 1 and never exceed it, without look-ahead
+const LOUDEST = 4; // the server's full scale has room for 170 dB; modal voice peaks at a tenth of it
 const NOT_LIVE = /^(run\.|model\.)/;
 
 let session = null;
 
 export const canPlay = () => typeof AudioWorkletNode !== "undefined" && window.isSecureContext;
 
-/** To be called inside a gesture. */
+/** Call it from a click or a key. */
 export async function startPlaying() {
   if (session) return;
-  setPlaying(false); // the looped voice and the live one are one voice
+  setPlaying(false); // the loop and the live voice never sound together
   setStatus("starting");
   const mine = (session = new Session());
   try {
@@ -46,7 +46,7 @@ export function setRecording(on) {
   session?.send({ record: on });
 }
 
-/** The graph of the sounding voice, for the spectrum and for tests; null when none sounds. */
+/** The audio graph of the played voice, for the spectrum and for tests; null when it is off. */
 export const soundGraph = () => session?.graph ?? null;
 
 class Session {
@@ -55,7 +55,7 @@ class Session {
   #connection = null;
 
   async start() {
-    // "interactive" may hold 30 ms; 0 asks for as little as the device can do.
+    // "interactive" may buffer 30 ms; 0 requests the least that the device can do.
     const context = new AudioContext({ sampleRate: RATE, latencyHint: 0 });
     this.#ends.push(() => context.close());
     await context.audioWorklet.addModule(new URL("stream-worklet.js", import.meta.url));
@@ -71,7 +71,7 @@ class Session {
     this.#sent = values.peek();
     waitFrom("slider to sound", version.peek());
     this.#connection = new Connection(bodyOf(schema.peek(), this.#sent), channel.port2, {
-      said: (document) => this.#hear(document),
+      said: (document) => this.#receive(document),
       report: (buffer) => session === this && takeBuffer(buffer),
       sounded: ({ stamp, at }) => recordShown("slider to sound", stamp, outputTime(context, at)),
       ended: (reason) => session === this && stopPlaying(reason ? PLAY.ended(reason) : PLAY.gone),
@@ -96,7 +96,7 @@ class Session {
     setTimeout(() => ends.forEach((end) => end()), gain ? FADE_OUT_S * 1000 : 0);
   }
 
-  /** Only what moved goes over the wire. */
+  /** Sends only the values that changed. */
   #follow(next) {
     if (next === this.#sent) return;
     const changed = Object.entries(next).filter(([path, value]) => value !== this.#sent[path] && !NOT_LIVE.test(path));
@@ -104,8 +104,8 @@ class Session {
     if (changed.length) this.send({ ...nest(Object.fromEntries(changed)), stamp: version.peek() });
   }
 
-  #hear(document) {
-    if (session !== this) return; // it was stopped and fades out
+  #receive(document) {
+    if (session !== this) return; // it was stopped and is fading out
     untracked(() => {
       if (document.type === "state") takeState(document);
       else if (document.type === "gesture") takeGesture(document.gesture);
@@ -117,13 +117,13 @@ class Session {
   }
 }
 
-/** When a moment of the worklet leaves the loudspeaker, on the page's clock. */
+/** The time at which a moment of the worklet leaves the loudspeaker, on the page's clock. */
 function outputTime(context, at) {
   const { contextTime, performanceTime } = context.getOutputTimestamp();
   return performanceTime + (at - contextTime) * 1000;
 }
 
-/** A straight line up to KNEE, then a curve that leaves it smoothly; a WaveShaperNode holds what is beyond ±1. */
+/** Linear up to KNEE, then a smooth bend; a WaveShaperNode clamps values beyond ±1. */
 function bend() {
   const curve = (x) => (x < KNEE ? x : KNEE + (1 - KNEE) * Math.tanh((x - KNEE) / (1 - KNEE)));
   return Float32Array.from({ length: 2049 }, (_, k) => Math.sign(k - 1024) * curve(Math.abs(k - 1024) / 1024));
@@ -134,23 +134,24 @@ function bodyOf(schemaNow, valuesNow) {
   return body;
 }
 
-/** Whether the voice sounds or is about to. */
+/** Whether the voice is on or starting. */
 export const isOn = () => status.value !== "off";
 
 /**
- * @param line the worklet's end of a MessageChannel; it goes to the worker.
- * @param handlers `said(document)` for every text frame, `report(buffer)`, `sounded({stamp, at})` when the first block
- *   that follows a stamped message begins, `ended(reason)` once.
+ * A played voice as the page sees it: messages out, states in. The sound goes from worker to worklet, see
+ * connection-worker.js.
  */
 export class Connection {
   #worker = new Worker(new URL("connection-worker.js", import.meta.url), { type: "module" });
 
-  constructor(request, line, handlers) {
+  constructor(request, worklet, handlers) {
     this.#worker.onmessage = ({ data }) => {
       for (const [kind, what] of Object.entries(data)) handlers[kind](what);
     };
     this.#worker.onerror = () => handlers.ended("");
-    this.#worker.postMessage({ open: { url: link("live").replace(/^http/, "ws"), first: request, line } }, [line]);
+    this.#worker.postMessage({ open: { url: link("live").replace(/^http/, "ws"), first: request, worklet } }, [
+      worklet,
+    ]);
   }
 
   send(message) {

@@ -1,26 +1,26 @@
 /**
- * Plays blocks of sound as they come, from as small a buffer as the line allows. Falls silent and comes back by fading,
- * never by a click.
+ * Plays blocks of sound from the smallest buffer that the connection allows. It fades out when the buffer is empty and
+ * fades in when sound arrives again, so there is never a click.
  *
- * What is kept in step is the low water: the least that waited since the last report, the middle of the last few reports,
- * for a dip that has passed must not call for more. It is wanted where the deepest dip of the last half minute would
- * still leave SAFETY_MS, and never below LEAST_MS: a machine whose threads wake late does so every ten seconds or so, and
- * a buffer that has forgotten it by then runs dry. The server sends a little faster or slower until it is there.
+ * It controls the low-water mark: the smallest fill since the last report, as the median of the last few reports, so
+ * that one short dip does not ask for a larger buffer. The target leaves SAFETY_MS after the deepest dip of the last
+ * half minute, and is never below LEAST_MS. A machine whose threads wake late does so about every ten seconds, so a
+ * shorter memory would let the buffer run dry. The server sends a little faster or slower until the target is reached.
  *
- * The node's own port takes {line}: the port that blocks come through as {samples, mark}, and that reports
- * {bufferMs, wantedMs, gaps, played} and {mark, at} (the context's time at which a marked block begins) go back to.
+ * The port of the node takes {line}: the port on which blocks arrive as {samples, mark}, and on which the reports
+ * {bufferMs, wantedMs, gaps, played} and {mark, at} (the context's time at which a marked block begins) leave.
  */
 
 const FADE = 240; // samples, 5 ms at 48 kHz
 const CAPACITY = 1 << 15;
-const LEAST_MS = 30; // what a page that paints on two cores needs even in calm
+const LEAST_MS = 30; // the least for a page that paints on two cores
 const FIRST_MS = 34;
 const MOST_MS = 200;
 const SAFETY_MS = 6;
-const GROW_MS = 16; // after a gap: how deep the dip would have been, nobody knows
+const GROW_MS = 16; // after a gap, as the depth of its dip is unknown
 const SHRINK_MS = 4;
-const WATCH_REPORTS = 80; // 5 s: a stretch of which the deepest dip is kept
-const REMEMBERED = 6; // stretches
+const WATCH_REPORTS = 80; // 5 s: a period whose deepest dip is remembered
+const REMEMBERED = 6; // periods
 const MIDDLE_OF = 5; // reports
 const REPORT_EVERY = 24; // quanta of 128 samples: 64 ms
 
@@ -38,7 +38,7 @@ class Stream extends AudioWorkletProcessor {
     this.low = Infinity;
     this.lows = [];
     this.deepestMs = 0;
-    this.dips = []; // the deepest of the stretches before
+    this.dips = []; // the deepest of each earlier period
     this.reports = 0;
     this.gaps = 0;
     this.played = 0;
@@ -54,7 +54,7 @@ class Stream extends AudioWorkletProcessor {
     for (let k = 0; k < samples.length; k++) this.ring[(this.write + k) & (CAPACITY - 1)] = samples[k];
     this.write += samples.length;
     if (this.write - this.read > CAPACITY) this.read = this.write - CAPACITY;
-    // Beyond the low water a whole block goes out before the next one comes.
+    // On top of the low-water mark: one whole block plays before the next one arrives.
     if (this.write - this.read >= (this.wantedMs * sampleRate) / 1000 + samples.length) this.playing = true;
   }
 

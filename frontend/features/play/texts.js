@@ -3,7 +3,7 @@
 export const PLAY = {
   start: "Play live",
   stop: "Stop",
-  about: "Hear the voice change under your hand: drag a muscle, the breath, or the point on the pad. Shading: pitch.",
+  about: "Hear the voice change as you drag a muscle, the breath, or the point on the pad. Shading: pitch.",
   needsTls:
     "Live sound needs a secure page: open it on localhost, or have the server started with --tls-cert and --tls-key.",
   starting: "Starting the voice…",
@@ -25,7 +25,7 @@ export const PLAY = {
   trace: "Pitch and level of the last twelve seconds",
   spectrumPicture: "Spectrum of what sounds, up to 5 kHz",
   record: "Record",
-  recordHelp: "Begin again from rest and keep every movement of the hand",
+  recordHelp: "Start again from rest and record every movement",
   recording: (s) => `Recording ${s.toFixed(1)} s`,
   saveSound: "Sound",
   saveGesture: "Gesture",

@@ -80,7 +80,7 @@ function scrollModel() {
 const TRACE_LIMITS = [
   [80, 240],
   [90, 150],
-]; // Hz, dB at the lips: the model's whole range, so that the axes stand still
+]; // Hz, dB at the lips: the model's whole range, so that the axes never move
 
 function traceModel() {
   const frame = now.value;
@@ -94,6 +94,14 @@ function spectrumModel() {
   graph.analyser.getFloatFrequencyData(bins);
   return { bins, hzPerBin: graph.context.sampleRate / graph.analyser.fftSize, ...look() };
 }
+
+const padModel = () => ({
+  ct: values.value[CT],
+  ta: values.value[TA],
+  map: padMap.value,
+  fo: now.value?.fo_hz,
+  ...look(),
+});
 
 function Now() {
   const text = useComputed(() => {
@@ -110,7 +118,7 @@ function Now() {
   `;
 }
 
-/** CT to the right, TA up: drag, or arrows with the pad in focus (Shift: ten steps). */
+/** CT to the right, TA up: drag, or use the arrow keys on the focused pad (Shift: ten steps). */
 function Pad() {
   const place = useRef(null);
   const move = (event) => {
@@ -143,11 +151,7 @@ function Pad() {
       onPointerMove=${(event) => event.buttons && move(event)}
       onKeyDown=${key}
     >
-      <${Picture}
-        name="play-pad"
-        model=${() => ({ ct: values.value[CT], ta: values.value[TA], map: padMap.value, fo: now.value?.fo_hz, ...look() })}
-        paint=${drawPad}
-      />
+      <${Picture} name="play-pad" model=${padModel} paint=${drawPad} />
     </div>
   `;
 }
@@ -178,7 +182,7 @@ function Record() {
   `;
 }
 
-/** What was recorded, to be kept; the line it stands on is there before, so that nothing moves. */
+/** The recorded files. Their line is always there, so that nothing moves. */
 function RecordedFiles() {
   if (!recorded.value || recordingS.value !== null) return null;
   return html`
@@ -193,7 +197,7 @@ function RecordedFiles() {
   `;
 }
 
-/** The sound is rendered again from the gesture: the same samples, and a file that proves it. */
+/** The server renders the sound again from the gesture: the same samples as before. */
 async function saveRecording(kind) {
   const body = recorded.value;
   if (kind === "json") return download("vocalis-gesture.json", JSON.stringify(body, null, 1), "application/json");

@@ -8,7 +8,7 @@ export const REPORT = {
   usual: "Published range",
   published: (range, source) => `${range}; ${source}`,
   notes: "Notes",
-  notesHelp: "Notes are kept in this browser only. Write nothing about a patient.",
+  notesHelp: "Notes stay in this browser only. Write nothing about a patient.",
   stage: "Glottis from above",
   waves: "Waves",
   milliseconds: "time in ms",

@@ -39,7 +39,7 @@ export function setNotes(text) {
 }
 
 const PRINT_RATIO = 3;
-const UNIT = 13; // px of a picture for what is one rem on the page
+const UNIT = 13; // px of a picture per rem of the page
 const MEASURES = [
   ...HEADLINES.map(({ key }) => key),
   "spl_lips_db",
@@ -80,7 +80,8 @@ export function ReportDialog() {
           </h3>
           <p>
             <b>${STATES[shown.state]}.</b>
-            ${" "}${posture.value && `${STAGE.atRest} ${CLOSURE[posture.value.static_shape.closure_pattern]}.`}${" "}${isVoiced(shown) ? MEASURE.cycles(shown.cycles) : shown.explanation}
+            ${" "}${posture.value && `${STAGE.atRest} ${CLOSURE[posture.value.static_shape.closure_pattern]}.`}
+            ${" "}${isVoiced(shown) ? MEASURE.cycles(shown.cycles) : shown.explanation}
           </p>
         </header>
         <${Settings} />
@@ -187,13 +188,13 @@ function Measures({ shown }) {
   `;
 }
 
-/** Why there is no value, unless the head of the page has said it; else the published range. */
+/** Why there is no value, unless the head of the report has said it; else the published range. */
 function remarkOf(row, measure, shown) {
   if (measure?.reason) return measure.reason === shown.explanation ? "" : measure.reason;
   return row.normal_range && REPORT.published(rangeOf(row), row.normal_range.source);
 }
 
-/** A picture painted once, sharp enough for paper. */
+/** A picture that is painted once, sharp enough for print. */
 function Still({ name, width, height, paint, label }) {
   const canvas = useRef(null);
   useEffect(() => {

@@ -6,7 +6,7 @@ import { loopOf, openPlayer, playing, setPlaying } from "./sound.js";
 
 const TURN_MS = 1400;
 
-/** Starts following what is to be heard; returns the end of it. */
+/** Starts following the choice of A or B; returns a function that stops it. */
 export function followAudition() {
   let turning = 0;
   const ends = [
@@ -24,7 +24,7 @@ export function followAudition() {
       if (which === "turn") turning = setInterval(() => sound((now = 1 - now)), TURN_MS);
     }),
     effect(() => {
-      // Listening to the live voice again ends the comparison, and so does silence.
+      // Silence ends the audition.
       if (!playing.value) stopHearing();
     }),
     effect(() => void (heard.value && setPlaying(true))),
@@ -50,12 +50,12 @@ export function loudnessOf(loop, rate) {
   const count = Math.min(loop.length, SIZE);
   const power = powerSpectrum(loop, 0, count, SIZE);
   let sum = 0;
-  // The window's own bandwidth is the same for both voices and falls out of their ratio.
+  // The bandwidth of the window is the same for both voices and cancels in their ratio.
   for (let k = 1; k < power.length; k++) sum += power[k] * aWeight((k * rate) / SIZE) ** 2;
   return Math.sqrt(sum);
 }
 
-/** Gains for two loops so that both sound as loud as the softer one; null loops stay silent. */
+/** Gains for two loops that make both as loud as the softer one; null loops stay silent. */
 export function equalGains(loops, rate) {
   const levels = loops.map((loop) => (loop ? loudnessOf(loop, rate) : 0));
   const softest = Math.min(...levels.filter((level) => level > 0));

@@ -65,7 +65,7 @@ export class LoopPlayer {
   }
 }
 
-/** Straight up to 0.7 of full scale, then bending towards 0.95: a sudden loud voice cannot hurt. */
+/** Linear up to 0.7 of full scale, then a bend towards 0.95: a sudden loud voice cannot hurt. */
 function limiterCurve() {
   const count = 4097;
   return Float32Array.from({ length: count }, (_, k) => {

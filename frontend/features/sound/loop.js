@@ -5,7 +5,7 @@ const SEAM_PERIODIC_S = 0.004;
 const SEAM_IRREGULAR_S = 0.03;
 const HALF_TAPS = 16;
 
-/** `wave` at the instants `from + k·step` (in samples of `wave`), k < count: windowed sinc, band-limited for both rates. */
+/** `wave` at the samples `from + k·step`, k < count: windowed sinc, band-limited for both rates. */
 export function resample(wave, from, step, count) {
   const cutoff = Math.min(1, 1 / step);
   const half = HALF_TAPS / cutoff;
@@ -28,9 +28,9 @@ export function resample(wave, from, step, count) {
 }
 
 /**
- * A loop of whole periods (of whatever length where nothing repeats) from the end of `wave`, at `outRate`.
+ * A loop of whole periods (of any length where nothing repeats) from the end of `wave`, at `outRate`.
  *
- * The last few milliseconds fade into what came before the first sample, so that the jump back is continuous.
+ * The last few milliseconds fade into the samples before the first one, so the jump back is continuous.
  */
 export function makeLoop(wave, rate, { periodS, periodic }, outRate) {
   const availableS = wave.length / rate;

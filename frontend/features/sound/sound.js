@@ -32,20 +32,20 @@ export function setLooping(on) {
 
 let player = null;
 
-/** To be called inside a gesture: browsers refuse sound otherwise. */
+/** Call it from a click or a key: browsers refuse sound otherwise. */
 export function toggleSound() {
   openPlayer();
   setPlaying(!playing.value);
 }
 
-/** The one sounding voice, made when it is first needed. */
+/** The one player, made when it is first needed. */
 export function openPlayer() {
   player ??= new LoopPlayer(new AudioContext({ latencyHint: "interactive" }));
   player.context.resume();
   return player;
 }
 
-/** Starts following the state; returns the end of it. */
+/** Starts following the state; returns a function that stops it. */
 export function followSound() {
   const ends = [
     effect(() => {
@@ -66,7 +66,7 @@ export function followSound() {
   };
 }
 
-/** A slider's position to a gain: quiet positions get more room. */
+/** From the position of a slider to a gain, finer at quiet positions. */
 export const gainOf = (position) => 2 * position * position;
 
 function soundOn(shown) {

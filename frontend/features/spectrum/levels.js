@@ -3,8 +3,8 @@ import { levelDb, powerOfTwo, powerSpectrum } from "../../core/fft.js";
 import { measured } from "../../core/result.js";
 
 export const TOP_HZ = 5000;
-const STEADY_S = 0.25; // of the end of the run: a resolution of some 8 Hz with the window
-const NARROW_S = 0.03; // of one column of the spectrogram: harmonics stand apart
+const STEADY_S = 0.25; // of the end of the run: a resolution of about 8 Hz with the window
+const NARROW_S = 0.03; // of one column of the spectrogram: harmonics are resolved
 const COLUMNS = 180;
 
 /** {frequencyHz, levelDb, harmonics: [{hz, db}]} of the end of the radiated pressure. */
@@ -33,7 +33,7 @@ function harmonicsOf(pitch, levels, step) {
   return found;
 }
 
-/** The tract's gain in dB, laid so that its highest peak stands at `topDb`. */
+/** The gain of the tract in dB, shifted so that its highest peak is at `topDb`. */
 export function gainCurve(tract, topDb) {
   const gains = tract.lip_pressure_per_flow_pa_s_m3;
   const highest = Math.max(...gains);

@@ -6,7 +6,7 @@ import { gainCurve, TOP_HZ } from "./levels.js";
 const SHOWN_DB = 80; // below the loudest
 export const SPECTROGRAM_DB = 60;
 
-/** `spectrum` of spectrum.js; `tract` may be null. */
+/** `spectrum`: of spectrumOf; `tract` may be null. */
 export function drawSpectrum(context, box, { spectrum, tract, colours, top }, unit, font, words) {
   const field = fieldIn(box, unit);
   const axes = {
@@ -44,7 +44,7 @@ export function drawSpectrum(context, box, { spectrum, tract, colours, top }, un
   );
 }
 
-/** Levels over time, one pixel a value, stretched. */
+/** Levels over time, one pixel per value, stretched. */
 export function drawSpectrogram(context, box, { spectrogram, tract, cycle, colours }, unit, font, words) {
   const field = fieldIn(box, unit);
   const { firstS, lastS, rows, stepHz } = spectrogram;

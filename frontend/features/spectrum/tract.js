@@ -6,7 +6,7 @@ import { values } from "../../state/request.js";
 const AIR = ["rho_a_kg_m3", "c_a_m_s"];
 const _known = signal(new Map());
 
-/** Address of the tract that the present settings speak through; null before there are any. */
+/** Address of the tract of the present settings; null before there are any. */
 export const tractPath = computed(() => {
   const { vowel } = values.value;
   if (typeof vowel !== "string") return null;
@@ -23,7 +23,7 @@ export function takeTract(path, answer) {
   _known.value = new Map(_known.peek()).set(path, answer);
 }
 
-/** Starts following the vowel; returns the end of it. A refused vowel has no tract; its field says why. */
+/** Starts following the vowel; returns a function that stops it. A refused vowel has no tract; its field says why. */
 export function followTract() {
   const asked = new Set();
   return effect(() => {

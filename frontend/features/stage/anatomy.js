@@ -89,7 +89,7 @@ export function drawBackdrop(context, view, anatomy, colours) {
   context.fill();
 }
 
-/** Between the arytenoids the model has no tissue that moves; where they part, the gap is shown paler than the glottis. */
+/** The model has no moving tissue between the arytenoids; an open gap there is paler than the glottis. */
 export function drawPosteriorGap(context, view, anatomy, colours) {
   const edge = [
     [0, anatomy.outMm],

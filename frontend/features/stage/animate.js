@@ -9,10 +9,10 @@ import { FLASHES_HZ, moving, phase, pointing, setPhase, slowdown, strobe } from 
 import { status } from "../../state/played-voice.js";
 import { version } from "../../state/request.js";
 
-const MOVEMENT_MS = 300; // after its last change the hand counts as moving
+const MOVEMENT_MS = 300; // a movement ends this long after its last change
 const STEP_DURING_MOVEMENT_MS = 100;
 
-/** Starts the motion; returns the end of it. */
+/** Starts the motion; returns a function that stops it. */
 export function followMotion() {
   let handAt = -Infinity;
   let request = 0;
@@ -21,7 +21,7 @@ export function followMotion() {
     request = requestAnimationFrame(step);
     if (now - handAt < MOVEMENT_MS && now - before < STEP_DURING_MOVEMENT_MS) return;
     if (strobe.peek() && now - before < 1e3 / FLASHES_HZ) return;
-    const elapsed = Math.min(now - before, 100) / 1e3; // a tab that slept does not leap
+    const elapsed = Math.min(now - before, 100) / 1e3; // a tab that was hidden does not jump
     before = now;
     const cyclesPerS = strobe.peek() ?? 1 / (slowdown.peek() * result.peek().cycle.periodS);
     setPhase(phase.peek() + elapsed * cyclesPerS);
@@ -32,7 +32,7 @@ export function followMotion() {
   });
   const stop = effect(() => {
     cancelAnimationFrame(request);
-    // A played voice is seen by a strobe of its own, and wants the frames for its sound.
+    // A played voice has its own strobe and needs the frames for its sound.
     if (status.value !== "off" || !moving.value || pointing.value || !isVoiced(result.value)) return;
     before = performance.now();
     request = requestAnimationFrame(step);

@@ -12,8 +12,8 @@ const EXTENT = {
 const WORDS_PX = 18; // for "Anterior" and "Posterior" at the ends
 
 /**
- * Where mm fall on a stage of `width` by `height`: {scale px/mm, at(u, r) → [x, y]}. Anterior is left, or at the top
- * as an endoscope shows it.
+ * The view of a stage of `width` by `height`: {scale px/mm, at(u, r) → [x, y]}. Anterior is left, or at the top as in
+ * an endoscope.
  */
 export function stageView(width, height, orientation, withAnatomy) {
   const { front, back, side } = withAnatomy ? EXTENT.anatomy : EXTENT.folds;
@@ -51,7 +51,7 @@ export function drawFolds(context, view, edges, contact, colours) {
   }
 }
 
-/** The static shape, as a thin line behind nothing and before everything: where the folds would rest. */
+/** The static shape as a thin line in front of everything: the position of the folds at rest. */
 export function drawGhost(context, view, edges, colours) {
   for (const side of SIDES) {
     context.save();
@@ -70,7 +70,7 @@ export function drawMidline(context, view, edges, colours) {
   context.stroke();
 }
 
-/** The fold's outer border: widest in the middle, carried a little by the fold's own movement. */
+/** The outer border of the fold: widest in the middle, moved a little by the fold. */
 function lateralBorder({ u, superior, lengthMm }) {
   return u.map((position, i) => {
     const along = 1 + position / lengthMm; // 0 at the commissure, 1 at the vocal process
@@ -117,7 +117,7 @@ function strokeEdge(context, view, u, r, side, colour, { width, dash = [] }) {
   context.setLineDash([]);
 }
 
-/** Tissue ends at the midline: what is pressed into the other fold is told by the glow. */
+/** Tissue ends at the midline; the glow shows how hard it is pressed into the other fold. */
 function clipToSide(context, view, side) {
   context.beginPath();
   [
@@ -135,7 +135,7 @@ function clipToSide(context, view, side) {
 const GLOW_LAYERS = 6;
 const GLOW_REACH_MM = [0.25, 1.5]; // half width without and at the largest pressure
 
-/** Warm where the folds press on each other, the wider the harder; layers make its edge soft. */
+/** Warm where the folds press on each other, wider at higher pressure; layers soften its edge. */
 function drawContact(context, view, { u }, contact, colours) {
   if (!contact.some((share) => share > 0.01)) return;
   const reach = contact.map((share) =>
@@ -183,7 +183,7 @@ function drawTurned(context, text, x, y, angle) {
   context.restore();
 }
 
-/** Abbreviations beside the strands of one side; `names`: {ta: "TA", …}. */
+/** Abbreviations next to the strands of one side; `names`: {ta: "TA", …}. */
 export function drawMuscleNames(context, view, lines, names, colours, font) {
   context.font = font;
   context.textAlign = "center";
@@ -201,7 +201,7 @@ export function drawMuscleNames(context, view, lines, names, colours, font) {
   }
 }
 
-// Which point of a strand a name stands at, and how far from it, mm.
+// The point of a strand that carries its name, and the offset of the name from it, mm.
 /** @type {Record<string, [number, [number, number]]>} */
 const NAME_PLACES = {
   ta: [1, [0, 0.95]],

@@ -91,7 +91,7 @@ export function Stage({ compact = false }) {
   `;
 }
 
-/** What the posture decides; null before the first. */
+/** Everything that depends only on the posture; null before the first. */
 const still = computed(() => {
   const answered = posture.value;
   if (!answered) return null;
@@ -101,14 +101,14 @@ const still = computed(() => {
     orientation: orientation.value,
     withAnatomy: musclesShown.value,
     anatomy: anatomyOf(rest.lengthMm, answered.posture.glottal_half_angle_rad),
-    // With the posture, not before it: one picture a movement instead of two.
+    // Together with the posture, not before it: one picture per movement instead of two.
     activation: untracked(() => Object.fromEntries(musclePaths().map((path) => [muscleOf(path), values.value[path]]))),
     names: Object.fromEntries(musclePaths().map((path) => [muscleOf(path), schema.value.parameters.get(path).short])),
     rest,
   };
 });
 
-/** The stage now: folds moving where they vibrate, at rest where they do not. */
+/** The present stage: moving folds if they vibrate, else folds at rest. */
 function stageModel() {
   if (!still.value) return null;
   const { rest } = still.value;
@@ -131,15 +131,15 @@ function movingFolds({ fields }) {
   };
 }
 
-const HARD_MM = 0.6; // pressed into the other fold by this much: the warmest glow
+const HARD_MM = 0.6; // this depth of compression has the warmest glow
 
-/** A played voice at the moment its strobe shows. */
+/** A played voice at the moment of its strobe. */
 function liveFolds(frame) {
   const edges = staticEdges(frame);
   return { edges, contact: edges.inner.map((r) => Math.min(1, Math.max(0, -r) / HARD_MM)) };
 }
 
-/** The stage in other colours, to be kept or printed; null before the first posture. */
+/** The stage in other colours, for export or print; null before the first posture. */
 export function paperStage(colours) {
   const model = stageModel();
   return model && { ...model, still: { ...model.still, colours } };

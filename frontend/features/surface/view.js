@@ -11,7 +11,7 @@ import { phase, readout } from "../../state/motion.js";
 import { drawField } from "./paint.js";
 import { SURFACE } from "./texts.js";
 
-const LEAST_PA = 100; // a map of rounding errors helps nobody
+const LEAST_PA = 100; // smaller limits would show rounding errors
 
 export function SurfacePressures() {
   const at = useComputed(() =>
@@ -35,14 +35,14 @@ export function pressureScale({ aeroRange: { min, max } }) {
   return { kind: "diverging", limit, low: -limit };
 }
 
-/** From zero up; below it only as far as contact holds instead of pushing. */
+/** From zero up; below zero only where contact pulls instead of pushing. */
 export function contactScale({ contactRange: { min, max } }) {
   return { kind: "sequential", limit: niceCeil(Math.max(max, LEAST_PA)), low: min < 0 ? -niceCeil(-min) : 0 };
 }
 
 const EXPORT_REM = { width: 30, height: 13 };
 
-/** `scaleOf(fields)` → {kind, limit, low} in Pa; `moment()`: the phase shown in words, for the file. */
+/** One heat map. `scaleOf(fields)` → {kind, limit, low} in Pa; `moment()`: the phase in words, for the file. */
 export function FieldMap({ name, title, scaleOf, moment }) {
   const canvas = useRef(null);
   const scale = useComputed(() => (result.value ? scaleOf(result.value.fields) : null));

@@ -8,7 +8,7 @@ import { narrow } from "../../state/look.js";
 import { ROWS, slope } from "./stack.js";
 import { DETAIL, WAVES } from "./texts.js";
 
-// Named one by one: the library's own list has a button that sends the data away.
+// Listed one by one: the library's default list has a button that uploads the data.
 const BUTTONS = ["toImage", "zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"];
 const CONFIG = { displaylogo: false, responsive: true, modeBarButtons: [BUTTONS] };
 

@@ -3,11 +3,11 @@ import { fewTicks, ticks, tickText } from "../../core/axis.js";
 import { extent } from "../../core/result.js";
 
 const WINDOW_S = 0.03;
-const MOST_PERIODS_LOST = 2.2; // of a long pattern, so much must still fit
+const MOST_PERIODS_LOST = 2.2; // at least this much of a long period is shown
 export const SLOPE_CUTOFF_HZ = 3000; // as for MFDR
 
 /**
- * The stretch shown: it ends with the highlighted cycle, so that this one stands still at the right edge.
+ * The part of the run on display. It ends with the highlighted cycle, which therefore stays at the right edge:
  * {startS, endS, first, last} with sample numbers of the result's own waves.
  */
 export function windowOf(result) {
@@ -40,7 +40,7 @@ export function slope(wave, first, last, rate) {
   return out;
 }
 
-/** What the stack shows, top to bottom; `factor` turns SI into the unit shown; no axis is finer than `least`. */
+/** The rows of the stack, top to bottom; `factor` converts from SI; no axis is finer than `least`. */
 export const ROWS = [
   { key: "pressure", unit: "Pa", factor: 1, least: 50, symmetric: true },
   { key: "flow", unit: "mL/s", factor: 1e6, least: 100 },
@@ -70,7 +70,7 @@ export function valueAt(result, { window, rows }, index, timeS) {
   return k >= 0 && k < values.length ? values[k] : null;
 }
 
-/** Where things stand in a stack of `count` rows: {left, right, rows: [{top, bottom}], x(t)}. */
+/** The layout of a stack of `count` rows: {left, right, rows: [{top, bottom}], x(t), time(x)}. */
 export function stackLayout(width, height, count, window, unit) {
   const left = 3.1 * unit;
   const right = width - 0.5 * unit;
@@ -94,7 +94,7 @@ export function stackLayout(width, height, count, window, unit) {
   };
 }
 
-/** `limits`: one [low, high] a row. */
+/** `limits`: one [low, high] per row. */
 export function drawWaves(context, layout, result, { window, rows }, limits, colours, font) {
   highlightCycle(context, layout, result, colours);
   drawTimeAxis(context, layout, result, window, colours, font);
@@ -124,7 +124,7 @@ function drawLine(context, layout, result, values, window, y, colour) {
   context.rect(layout.left, 0, pixels + 0.5, layout.height);
   context.clip();
   context.beginPath();
-  // Two points a pixel are all that can be seen, and what is drawn costs time.
+  // More than two points per pixel cannot be seen and only cost time.
   const stride = Math.max(1, Math.floor(values.length / (2 * pixels)));
   for (let k = 0; k < values.length; k += stride) context.lineTo(layout.x(startS + k / result.rate), y(values[k]));
   context.lineWidth = 1.5;

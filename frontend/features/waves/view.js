@@ -14,7 +14,7 @@ import { WAVES } from "./texts.js";
 
 const rows = computed(() => (result.value ? waveRows(result.value) : null));
 
-// Limits follow the data with some memory: see steadyLimits.
+// Limits follow the data with a memory: see steadyLimits.
 let limitsBefore = [];
 const limits = computed(() => {
   if (!rows.value) return [];
@@ -22,17 +22,14 @@ const limits = computed(() => {
   return limitsBefore;
 });
 
+const model = () =>
+  rows.value && { shown: result.value, stack: rows.value, limits: limits.value, colours: palette.value };
+
 export function Waves() {
   return html`
     <div class="waves">
       <div class="wave-stack">
-        <${Picture}
-          name="waves"
-          title=${WAVES.stack}
-          label=${WAVES.picture}
-          paint=${paintWaves}
-          model=${() => rows.value && { shown: result.value, stack: rows.value, limits: limits.value, colours: palette.value }}
-        />
+        <${Picture} name="waves" title=${WAVES.stack} label=${WAVES.picture} paint=${paintWaves} model=${model} />
         <${Cursor} rows=${rows} />
         <div class="wave-names" style=${{ "--rows": ROWS.length }}>
           ${ROWS.map(
@@ -81,7 +78,7 @@ function paintWaves(context, box, { shown, stack, limits: ranges, colours }) {
   drawWaves(context, layout, shown, stack, ranges, colours, smallFont());
 }
 
-/** `rows`: the signal of what the waves show. */
+/** The shared cursor: one line in the highlighted cycle, and faint ones at the same phase of the others. */
 export function Cursor({ rows }) {
   const field = useRef(null);
   const lines = useRef(null);
@@ -136,7 +133,7 @@ function follow(field, lines, rows) {
   return () => disposal.dispose();
 }
 
-/** A resting mouse looks at an instant; a press, pen or finger stays there. */
+/** A mouse over the waves shows an instant; a press, pen or finger holds it. */
 function pointing(rows) {
   const look = (event) => {
     if (!rows.peek()) return;
