@@ -20,10 +20,10 @@ ENV PATH=/opt/vocalis/bin:$PATH \
 WORKDIR /var/lib/vocalis
 USER vocalis
 # Compiled for this machine's processor; on another kind the first start compiles again (some seconds).
-RUN python -m vocalis_server --warm
+RUN python -m vocalis.server --warm
 EXPOSE 8000
 STOPSIGNAL SIGTERM
 HEALTHCHECK --interval=30s --timeout=5s --start-period=30s --retries=3 \
     CMD ["python", "-c", "import json, urllib.request as r; assert json.load(r.urlopen('http://127.0.0.1:8000/api/v1/health', timeout=4))['ready']"]
 # No token, no start: there is no default that everybody knows.
-ENTRYPOINT ["/bin/sh", "-c", ": \"${VOCALIS_TOKEN:?set VOCALIS_TOKEN to what clients must show}\"; exec python -m vocalis_server --host 0.0.0.0 --port 8000 \"$@\"", "vocalis"]
+ENTRYPOINT ["/bin/sh", "-c", ": \"${VOCALIS_TOKEN:?set VOCALIS_TOKEN to what clients must show}\"; exec python -m vocalis.server --host 0.0.0.0 --port 8000 \"$@\"", "vocalis"]

@@ -53,7 +53,7 @@ format: $(VENV)/.tested node_modules/.installed
 
 # Once, before several test processes would each compile the same.
 compiled: $(VENV)/.tested
-	@VOCALIS_DATA="$(TEST_DATA)" $(BIN)/python -m vocalis_server --warm
+	@VOCALIS_DATA="$(TEST_DATA)" $(BIN)/python -m vocalis.server --warm
 
 test-all: $(VENV)/.tested chromium compiled
 	$(BIN)/python -m pytest -q -n 3 --dist worksteal -m "not slow and not browser and not alone"

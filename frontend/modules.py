@@ -1,12 +1,12 @@
 """The list of modules that the page needs first. Without it a browser finds them import by import, level by level.
 
-``python -m vocalis_frontend.modules`` writes the list into index.html; a test compares it with the imports.
+``python -m vocalis.frontend.modules`` writes the list into index.html; a test compares it with the imports.
 """
 
 import re
 from pathlib import Path
 
-FOLDER = Path(__file__).parent
+FOLDER = Path(__file__).resolve().parent
 INDEX = FOLDER / "index.html"
 IMPORT = re.compile(
     r"""^(?:import|export|\}).*?["'](\.{1,2}/[^"']+\.js)["'];?|(?:from|import)["'](\.{1,2}/[^"']+\.js)["']""", re.M

@@ -1,16 +1,16 @@
-"""``python -m vocalis_server``: serve, or with ``--warm`` only compile the kernels (for images)."""
+"""``python -m vocalis.server``: serve, or with ``--warm`` only compile the kernels (for images)."""
 
 import argparse
 import sys
 
-from vocalis_server.serve import read_settings, serve
-from vocalis_server.warm import compile_everything
+from vocalis.server.serve import read_settings, serve
+from vocalis.server.warmup.compile import compile_everything
 
 
 def main() -> None:
     """Options; what is left out comes from the environment (VOCALIS_*)."""
     default = read_settings()
-    parser = argparse.ArgumentParser(prog="python -m vocalis_server", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m vocalis.server", description=__doc__)
     parser.add_argument("--host", default=default.host, help="address to listen on (default %(default)s)")
     parser.add_argument("--port", type=int, default=default.port, help="port (default %(default)s); 0: any free one")
     parser.add_argument("--token", help="what everybody must show; made up on a public address when left out")

@@ -7,10 +7,10 @@ from fastapi import FastAPI
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
 import vfcore
-from vocalis_server import errors, openapi
-from vocalis_server.guard import Guard
-from vocalis_server.jobs.document import API
-from vocalis_server.routes import (
+from vocalis.server.http import errors, openapi
+from vocalis.server.http.guard import Guard
+from vocalis.server.jobs.document import API
+from vocalis.server.routes import (
     catalogue,
     events,
     gestures,
@@ -23,8 +23,8 @@ from vocalis_server.routes import (
     simulate,
     tract,
 )
-from vocalis_server.services import Services
-from vocalis_server.settings import Settings
+from vocalis.server.services import Services
+from vocalis.server.settings import Settings
 
 #: Octets gain little by compression, and an answer while a hand moves has no time for it.
 NOT_COMPRESSED = (*DEFAULT_EXCLUDED_CONTENT_TYPES, "application/octet-stream", "application/x-netcdf")

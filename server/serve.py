@@ -11,12 +11,12 @@ import uvicorn
 from pydantic import ValidationError
 from sqlalchemy.exc import SQLAlchemyError
 
-from vocalis_server.access import is_loopback
-from vocalis_server.app import create_app
-from vocalis_server.jobs.database import StorageUnusable
-from vocalis_server.live.handover import HandsOver
-from vocalis_server.services import Services
-from vocalis_server.settings import Settings
+from vocalis.server.app import create_app
+from vocalis.server.http.access import is_loopback
+from vocalis.server.jobs.database import StorageUnusable
+from vocalis.server.live.handover import HandsOver
+from vocalis.server.services import Services
+from vocalis.server.settings import Settings
 
 #: Python hands its lock on after this long (5 ms unless told): a posture must not wait for a run's measures.
 SWITCH_S = 0.0005

@@ -7,23 +7,23 @@ from fastapi import Depends
 from starlette.requests import HTTPConnection
 
 from vfcore.kernels.jit import data_directory
-from vocalis_server.access import Access, access_for, client_of
-from vocalis_server.gestures import GestureCache
-from vocalis_server.jobs.archive import Archive
-from vocalis_server.jobs.cluster import DaskCluster
-from vocalis_server.jobs.database import Database
-from vocalis_server.jobs.desk import Desk
-from vocalis_server.jobs.engine import Engine
-from vocalis_server.jobs.events import EventLog
-from vocalis_server.jobs.folder import Folder
-from vocalis_server.jobs.interactive import Interactive
-from vocalis_server.jobs.ledger import Ledger
-from vocalis_server.jobs.points import PointStore
-from vocalis_server.jobs.retention import Limits, Retention
-from vocalis_server.jobs.store import JobStore
-from vocalis_server.kernels import Kernels
-from vocalis_server.live.host import Host
-from vocalis_server.settings import Settings
+from vocalis.server.http.access import Access, access_for, client_of
+from vocalis.server.jobs.archive import Archive
+from vocalis.server.jobs.cluster import DaskCluster
+from vocalis.server.jobs.database import Database
+from vocalis.server.jobs.events import EventLog
+from vocalis.server.jobs.folder import Folder
+from vocalis.server.jobs.gesture_cache import GestureCache
+from vocalis.server.jobs.interactive import Interactive
+from vocalis.server.jobs.points import PointStore
+from vocalis.server.jobs.recorder import Ledger
+from vocalis.server.jobs.retention import Limits, Retention
+from vocalis.server.jobs.scheduler import Engine
+from vocalis.server.jobs.service import Desk
+from vocalis.server.jobs.store import JobStore
+from vocalis.server.live.host import Host
+from vocalis.server.settings import Settings
+from vocalis.server.warmup.state import Kernels
 
 
 @dataclass(frozen=True, slots=True)

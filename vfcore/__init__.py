@@ -6,14 +6,14 @@
 'periodic'
 """
 
-from vfcore.constants import FoldConstants
+from vfcore.larynx.posture.equilibrium import solve_posture
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.measures.catalogue import measure_all as measure
 from vfcore.measures.signals import Signals
-from vfcore.params import Activation, Model, PostureOverride, Run, Simulation
-from vfcore.posture.equilibrium import solve_posture
-from vfcore.result import ARRAYS, SimulationResult
-from vfcore.simulate import simulate, static_shape
+from vfcore.runs.one import simulate, static_shape
+from vfcore.runs.result import ARRAYS, SimulationResult
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.simulation import Activation, Model, PostureOverride, Run, Simulation
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 __version__ = CODE_VERSION

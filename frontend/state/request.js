@@ -61,7 +61,7 @@ export function restoreValues(next) {
 
 /** A variant brings its own source–tract coupling, which can be changed afterwards. */
 export function chooseVariant(key) {
-  const { meant_with: coupling } = _schema.value.variants.find((row) => row.key === key);
+  const { coupling } = _schema.value.variants.find((row) => row.key === key);
   change({ ..._values.value, "model.variant": key, "model.coupling": coupling }, "model.variant");
 }
 

@@ -7,12 +7,13 @@ from pathlib import Path
 from sqlalchemy import delete, func, select, update
 from sqlalchemy.dialects.sqlite import insert
 
-from vfcore.files.stored import DamagedFile, load_result, save_result
-from vfcore.result import SimulationResult
-from vocalis_server.jobs.database import Database, told_plainly
-from vocalis_server.jobs.folder import Folder
-from vocalis_server.jobs.results import ResultCache
-from vocalis_server.jobs.tables import RESULTS
+from vfcore.io.stored import DamagedFile, load_result, save_result
+from vfcore.runs.result import SimulationResult
+from vfcore.spec.address import address
+from vocalis.server.jobs.database import Database, told_plainly
+from vocalis.server.jobs.folder import Folder
+from vocalis.server.jobs.results import ResultCache
+from vocalis.server.jobs.tables import RESULTS
 
 ENDING = ".npz"
 _ADDRESS = re.compile(r"[0-9a-f]{32}")  # what a client asks for becomes a file name
@@ -53,6 +54,9 @@ class Archive:
         except FileNotFoundError:
             return None
         except DamagedFile:
+            self.drop([content])
+            return None
+        if address(result.request) != content:  # of an earlier version, which addressed its results otherwise
             self.drop([content])
             return None
         self._memory.put(content, result)

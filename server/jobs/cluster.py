@@ -1,6 +1,6 @@
 """Tasks of sweeps on a Dask cluster: the scheduler's address is all this server knows of it.
 
-A task is one call of ``vfcore.sweep.task.run_task``, named by the content of its points, of 0.2 to 2 s, so that
+A task is one call of ``vfcore.runs.sweep.task.run_task``, named by the content of its points, of 0.2 to 2 s, so that
 losing a worker costs little. ``Client.cancel`` does not stop what is computing; nothing more is handed out then.
 """
 
@@ -9,12 +9,12 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from vfcore.content import content_hash
 from vfcore.errors import Cancelled
-from vfcore.sweep.plan import Sweep
-from vfcore.sweep.task import WrongModel, run_task
-from vocalis_server.jobs.lane import Died, Failed, Finished, NoConnection, Outcome, Stopped
-from vocalis_server.problems import problem_of
+from vfcore.runs.sweep.plan import Sweep
+from vfcore.runs.sweep.task import WrongModel, run_task
+from vfcore.spec.address import content_hash
+from vocalis.server.http.problems import problem_of
+from vocalis.server.jobs.executor_slot import Died, Failed, Finished, NoConnection, Outcome, Stopped
 
 log = logging.getLogger("vocalis")
 LISTEN_S = 0.1

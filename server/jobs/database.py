@@ -14,7 +14,7 @@ from sqlalchemy import Connection, Engine, create_engine, event, text
 from sqlalchemy.exc import DBAPIError
 
 from vfcore.errors import VocalisError
-from vocalis_server.jobs.tables import LAYOUT, METADATA
+from vocalis.server.jobs.tables import LAYOUT, METADATA
 
 _FULL = ("disk is full", "disk I/O error", "database is full")
 _NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)

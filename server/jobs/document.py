@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from vocalis_server.jobs.model import Job, Status
+from vocalis.server.jobs.model import Job, Status
 
 API = "/api/v1"
 LONGEST_LIST = 100  # entries of a request that lists and events repeat

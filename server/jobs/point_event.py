@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from vfcore.sweep.plan import Sweep
-from vfcore.sweep.row import Row, columns
+from vfcore.runs.sweep.plan import Sweep
+from vfcore.runs.sweep.row import Row, columns
 
 #: Sweeps of more points tell positions only: their numbers are fetched with GET …/result?partial=true.
 MOST_TOLD = 2500

@@ -6,11 +6,11 @@ from typing import NamedTuple
 from sqlalchemy import bindparam, func, select
 from sqlalchemy.dialects.sqlite import insert
 
-from vfcore.sweep.row import Row, decode, encode, failed_row
-from vocalis_server.jobs.database import Database
-from vocalis_server.jobs.model import Job
-from vocalis_server.jobs.store import save_jobs
-from vocalis_server.jobs.tables import MEMBERS, POINTS
+from vfcore.runs.sweep.row import Row, decode, encode, failed_row
+from vocalis.server.jobs.database import Database
+from vocalis.server.jobs.model import Job
+from vocalis.server.jobs.store import save_jobs
+from vocalis.server.jobs.tables import MEMBERS, POINTS
 
 _AT_A_TIME = 500  # addresses in one question
 _COMPUTED = insert(POINTS).values(times=1)

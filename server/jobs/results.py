@@ -3,7 +3,7 @@
 import threading
 from collections import OrderedDict
 
-from vfcore.result import SimulationResult
+from vfcore.runs.result import SimulationResult
 
 
 class ResultCache:

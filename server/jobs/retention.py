@@ -8,11 +8,11 @@ from typing import NamedTuple
 from sqlalchemy import delete, exists, func, select
 from sqlalchemy.dialects.sqlite import insert
 
-from vocalis_server.jobs.archive import ENDING, Archive
-from vocalis_server.jobs.database import Database, StorageFull
-from vocalis_server.jobs.folder import Folder
-from vocalis_server.jobs.model import ACTIVE
-from vocalis_server.jobs.tables import JOBS, KEYS, MEMBERS, POINTS, RESULTS
+from vocalis.server.jobs.archive import ENDING, Archive
+from vocalis.server.jobs.database import Database, StorageFull
+from vocalis.server.jobs.folder import Folder
+from vocalis.server.jobs.model import ACTIVE
+from vocalis.server.jobs.tables import JOBS, KEYS, MEMBERS, POINTS, RESULTS
 
 EVERY_S = 60.0
 
@@ -50,7 +50,7 @@ class Retention:
         with self._database.read() as connection:
             known = set(connection.scalars(select(RESULTS.c.content)))
         for path in self._folder.results.iterdir():
-            if path.is_dir():  # of vfcore.files.atomic
+            if path.is_dir():  # of vfcore.io.atomic
                 for draft in path.iterdir():
                     draft.unlink()
                 path.rmdir()

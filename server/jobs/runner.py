@@ -16,7 +16,7 @@ from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import Any
 
-from vfcore.memory import keep_freed_memory
+from vfcore.runs.memory import keep_freed_memory
 
 NICENESS = 10
 PROGRESS_EVERY_S = 0.1
@@ -26,20 +26,20 @@ Stop = Callable[[], bool]
 
 
 def _simulation(request: dict[str, Any], progress: Progress, stop: Stop) -> Any:
-    from vfcore.request import simulation_from_dict
-    from vfcore.simulate import simulate
+    from vfcore.runs.one import simulate
+    from vfcore.spec.document import simulation_from_dict
 
     return simulate(simulation_from_dict(request), progress, stop)
 
 
 def _part_of_sweep(piece: tuple[Any, str], _: Progress, stop: Stop) -> Any:
-    from vfcore.sweep.task import run_task
+    from vfcore.runs.sweep.task import run_task
 
     return run_task(*piece, stop)
 
 
 def _rehearsal(*_: Any) -> None:
-    from vocalis_server.voices import rehearse_points
+    from vocalis.server.warmup.requests import rehearse_points
 
     rehearse_points()
 
@@ -66,7 +66,7 @@ def serve_work(pipe: Connection) -> None:
 
 def _answer(pipe: Connection, kind: str, piece: Any) -> None:
     from vfcore.errors import Cancelled
-    from vocalis_server.problems import problem_of
+    from vocalis.server.http.problems import problem_of
 
     try:
         result = KINDS[kind](piece, _Throttled(pipe), lambda: _stop_asked(pipe))

@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 
 from sqlalchemy import Connection, bindparam, delete, insert, select, update
 
-from vocalis_server.jobs.database import Database
-from vocalis_server.jobs.model import ACTIVE, Job, Status
-from vocalis_server.jobs.tables import JOBS, KEYS
+from vocalis.server.jobs.database import Database
+from vocalis.server.jobs.model import ACTIVE, Job, Status
+from vocalis.server.jobs.tables import JOBS, KEYS
 
 _FIELDS = tuple(field.name for field in fields(Job))
 _FIXED = {"id", "sequence", "client", "kind", "request", "content", "created"}
@@ -62,6 +62,12 @@ class JobStore:
     def active(self) -> list[Job]:
         """Unfinished jobs, oldest first."""
         return list(self._active.values())
+
+    def readdress(self, job: Job) -> None:
+        """Keep the new address of a job and of the work it waits for."""
+        with self._database.write() as connection:
+            connection.execute(update(JOBS).where(JOBS.c.id == job.id).values(content=job.content))
+            save_jobs(connection, [job])
 
     def get(self, job_id: str) -> Job | None:
         return self._in_mind(job_id) or self._first(JOBS.c.id == job_id)

@@ -3,9 +3,9 @@
 from typing import Any, Protocol
 
 from vfcore.version import MODEL_VERSION
-from vocalis_server.jobs.lane import Died, Failed, Finished, Lane, NoConnection
-from vocalis_server.jobs.sweep_work import Keeper, Task
-from vocalis_server.problems import is_about_model
+from vocalis.server.http.problems import is_about_model
+from vocalis.server.jobs.executor_slot import Died, Failed, Finished, Lane, NoConnection
+from vocalis.server.jobs.sweep_work import Keeper, Task
 
 RECONNECT_S = 1.0
 

@@ -4,11 +4,11 @@ import threading
 from collections import deque
 from typing import Any, Protocol
 
-from vfcore.sweep.cost import Portions
-from vfcore.sweep.document import sweep_from_dict
-from vfcore.sweep.plan import Sweep
-from vfcore.sweep.row import Row
-from vocalis_server.jobs.points import PointStore
+from vfcore.runs.sweep.cost import Portions
+from vfcore.runs.sweep.document import sweep_from_dict
+from vfcore.runs.sweep.plan import Sweep
+from vfcore.runs.sweep.row import Row
+from vocalis.server.jobs.points import PointStore
 
 LOOK_AHEAD = 2000  # points looked up at a time when they turn out to be stored already
 

@@ -52,7 +52,7 @@ KEYS = Table(
     Column("content", String, nullable=False),
     Column("job_id", String, nullable=False, index=True),
 )
-#: ``row`` is what vfcore.sweep.row.encode makes; ``times`` how often it was computed, which is once.
+#: ``row`` is what vfcore.runs.sweep.row.encode makes; ``times`` how often it was computed, which is once.
 POINTS = Table(
     "points",
     METADATA,

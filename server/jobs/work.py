@@ -4,7 +4,7 @@ import threading
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
-from vocalis_server.jobs.sweep_task import SweepListener
+from vocalis.server.jobs.sweep_task import SweepListener
 
 
 @dataclass(slots=True)

@@ -6,8 +6,8 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from vocalis_server.jobs.lane import Died, Failed, Finished, Outcome, Stopped
-from vocalis_server.jobs.runner import read_result, serve_work
+from vocalis.server.jobs.executor_slot import Died, Failed, Finished, Outcome, Stopped
+from vocalis.server.jobs.runner import read_result, serve_work
 
 _SPAWN = multiprocessing.get_context("spawn")  # a fork would copy threads' locks in whatever state they are
 LISTEN_S = 0.05

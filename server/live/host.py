@@ -9,9 +9,9 @@ from itertools import count
 from multiprocessing.connection import Connection
 from typing import Any
 
-from vocalis_server.live.handover import Handed
-from vocalis_server.live.process import FAREWELL_S, WARM, serve_voices
-from vocalis_server.problems import NotReady, TooMany
+from vocalis.server.http.problems import NotReady, TooMany
+from vocalis.server.live.handover import Handed
+from vocalis.server.live.process import FAREWELL_S, WARM, serve_voices
 
 _SPAWN = multiprocessing.get_context("spawn")
 START_S = 60.0  # compiling on a slow machine

@@ -5,22 +5,22 @@ from collections.abc import Callable
 from dataclasses import fields, replace
 from typing import Any
 
-from vfcore.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
-from vfcore.document import json_text
 from vfcore.errors import ParameterError, VocalisError
-from vfcore.gesture.approach import approach, differences, is_near, number_at
-from vfcore.gesture.gesture import MOVABLE, with_numbers
-from vfcore.gesture.voice import BLOCK_S, Voice
-from vfcore.params import Activation, Simulation
-from vfcore.request import simulation_from_dict, simulation_to_dict
+from vfcore.io.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
+from vfcore.io.result_document import json_text
+from vfcore.runs.gesture.gesture import MOVABLE, with_numbers
+from vfcore.runs.gesture.slew import approach, differences, is_near, number_at
+from vfcore.runs.gesture.voice import BLOCK_S, Voice
+from vfcore.spec.document import simulation_from_dict, simulation_to_dict
+from vfcore.spec.simulation import Activation, Simulation
 from vfcore.version import MODEL_VERSION
-from vocalis_server.live.client import GOING_AWAY, Client, Left
-from vocalis_server.live.pace import EARLY_S, Pace
-from vocalis_server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, merged, read_message
-from vocalis_server.live.recording import Recording
-from vocalis_server.live.shown import STATE_EVERY, Shown, rounded
-from vocalis_server.live.strobe import Strobe
-from vocalis_server.problems import problem_of
+from vocalis.server.http.problems import problem_of
+from vocalis.server.live.client import GOING_AWAY, Client, Left
+from vocalis.server.live.pace import EARLY_S, Pace
+from vocalis.server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, merged, read_message
+from vocalis.server.live.recording import Recording
+from vocalis.server.live.shown import STATE_EVERY, Shown, rounded
+from vocalis.server.live.strobe import Strobe
 
 FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from

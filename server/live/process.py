@@ -91,9 +91,9 @@ def serve_voices(control: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's affair; it closes ``control``
     with suppress(OSError, AttributeError):  # where it is allowed: what sounds comes before what is looked at
         os.setpriority(os.PRIO_PROCESS, 0, PRIORITY)
-    from vocalis_server.live.client import Client
-    from vocalis_server.live.player import Player
-    from vocalis_server.live.rehearsal import rehearse
+    from vocalis.server.live.client import Client
+    from vocalis.server.live.player import Player
+    from vocalis.server.warmup.live import rehearse
 
     sys.setswitchinterval(SWITCH_S)
     rehearse()

@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from vfcore.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 from vfcore.errors import ParameterError
+from vfcore.io.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 
 LONGEST_MESSAGE = 16_384
 BLOCK_SAMPLES = AUDIO_RATE_HZ // 100

@@ -3,11 +3,11 @@
 from dataclasses import replace
 from typing import Any
 
-from vfcore.gesture.approach import differences, number_at
-from vfcore.gesture.gesture import Gesture, gesture_to_dict
-from vfcore.gesture.track import Track
-from vfcore.gesture.voice import BLOCK_S
-from vfcore.params import Simulation
+from vfcore.runs.gesture.gesture import Gesture, gesture_to_dict
+from vfcore.runs.gesture.slew import differences, number_at
+from vfcore.runs.gesture.track import Track
+from vfcore.runs.gesture.voice import BLOCK_S
+from vfcore.spec.simulation import Simulation
 
 LONGEST_BLOCKS = 60_000  # 10 minutes
 

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import orjson
 
-from vfcore.gesture.contours import level_db
-from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Block
+from vfcore.runs.gesture.contours import level_db
+from vfcore.runs.gesture.voice import BLOCK_S, BLOCK_STEPS, Block
 
 STATE_EVERY = 8  # blocks: 12 pictures a second; a screen beside a played voice has no time for more
 WAVE_EVERY = 10  # samples: 2.8 kHz is enough for a line on a screen

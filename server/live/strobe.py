@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from vfcore.gesture.contours import WINDOW_S, pitch_hz
-from vfcore.gesture.glide import STRETCH_STEPS
-from vfcore.gesture.voice import BLOCK_STEPS
-from vfcore.params import DEFAULT_STEP_S
+from vfcore.runs.gesture.contours import WINDOW_S, pitch_hz
+from vfcore.runs.gesture.glide import STRETCH_STEPS
+from vfcore.runs.gesture.voice import BLOCK_STEPS
+from vfcore.spec.simulation import DEFAULT_STEP_S
 
 SLOW_HZ = 1.5  # apparent cycles a second
 THINNED = 3  # f_o is sought in every third sample: nothing of the area's shape is lost at 9.3 kHz

@@ -7,28 +7,28 @@ from fastapi import APIRouter
 from fastapi.responses import JSONResponse
 
 import vfcore
-from vfcore.schema import parameter_catalogue
-from vocalis_server import schemas
-from vocalis_server.openapi import problems
-from vocalis_server.services import Shared
+from vfcore.spec.schema import parameter_catalogue
+from vocalis.server.http.openapi import problems
+from vocalis.server.schemas import answers
+from vocalis.server.services import Shared
 
 router = APIRouter(tags=["catalogue"], responses=problems())
 
 
 @router.get("/health")
-async def health(shared: Shared) -> schemas.Health:
+async def health(shared: Shared) -> answers.Health:
     """Whether the server is there and its kernels are compiled; needs no token."""
-    return schemas.Health(
+    return answers.Health(
         status="ok",
         version=vfcore.CODE_VERSION,
         model_version=vfcore.MODEL_VERSION,
-        engine=schemas.EngineState(name=shared.desk.engine.name, workers=shared.desk.engine.workers),
+        engine=answers.EngineState(name=shared.desk.engine.name, workers=shared.desk.engine.workers),
         ready=shared.kernels.ready,
         message=shared.kernels.message,
     )
 
 
-@router.get("/parameters", responses={200: {"model": schemas.Parameters}})
+@router.get("/parameters", responses={200: {"model": answers.Parameters}})
 def parameters() -> JSONResponse:
     """Every parameter with unit, range, default and help; presets, vowels, variants."""
     return JSONResponse(_parameters())
@@ -39,7 +39,7 @@ def _parameters() -> dict[str, Any]:
     return parameter_catalogue()
 
 
-@router.get("/measures", responses={200: {"model": schemas.Measures}})
+@router.get("/measures", responses={200: {"model": answers.Measures}})
 def measures() -> JSONResponse:
     """The catalogue of voice measures: symbol, unit, definition, formula, threshold, source."""
     return JSONResponse({"measures": vfcore.CATALOGUE.as_rows()})

@@ -8,12 +8,12 @@ from fastapi import APIRouter, Depends, Header
 from fastapi.concurrency import run_in_threadpool
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 
-from vocalis_server.errors import StreamOver
-from vocalis_server.jobs.events import Event
-from vocalis_server.jobs.model import ACTIVE
-from vocalis_server.openapi import problems
-from vocalis_server.problems import TooMany
-from vocalis_server.services import Client, Services, Shared
+from vocalis.server.http.errors import StreamOver
+from vocalis.server.http.openapi import problems
+from vocalis.server.http.problems import TooMany
+from vocalis.server.jobs.events import Event
+from vocalis.server.jobs.model import ACTIVE
+from vocalis.server.services import Client, Services, Shared
 
 router = APIRouter(tags=["events"])
 _RESPONSES = problems(404, 422, 429) | {204: {"description": "Nothing more will happen to this job."}}

@@ -1,20 +1,21 @@
 """Voices whose numbers move, rendered in one go: contours, measures per stretch, sound."""
 
+from dataclasses import replace
+
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import JSONResponse
 
-from vfcore.audio import to_wav_bytes
-from vfcore.content import content_hash
 from vfcore.errors import ParameterError
-from vfcore.gesture.document import contour_csv, gesture_document, gesture_netcdf_bytes
-from vfcore.gesture.gesture import gesture_to_dict
-from vfcore.gesture.render import RenderedGesture, render
-from vocalis_server.gesture_schemas import GestureAnswer
-from vocalis_server.jobs.document import API
-from vocalis_server.jobs.model import ResultGone
-from vocalis_server.openapi import octets, problems
-from vocalis_server.request_schema import GestureBody, gesture_of
-from vocalis_server.services import Services, Shared
+from vfcore.io.audio import to_wav_bytes
+from vfcore.runs.gesture.document import contour_csv, gesture_document, gesture_netcdf_bytes
+from vfcore.runs.gesture.gesture import gesture_address
+from vfcore.runs.gesture.render import RenderedGesture, render
+from vocalis.server.http.openapi import octets, problems
+from vocalis.server.jobs.document import API
+from vocalis.server.jobs.model import ResultGone
+from vocalis.server.schemas.gestures import GestureAnswer
+from vocalis.server.schemas.requests import GestureBody, gesture_of
+from vocalis.server.services import Services, Shared
 
 router = APIRouter(prefix="/gestures", tags=["gestures"])
 WAV, NETCDF, CSV = "audio/wav", "application/x-netcdf", "text/csv"
@@ -28,10 +29,11 @@ async def gesture(body: GestureBody, request: Request, shared: Shared) -> Respon
     limit = shared.settings.gesture_duration_s
     if wanted.start.run.duration_s > limit:
         raise ParameterError("run.duration_s", f"{wanted.start.run.duration_s:g} s is too long", f"up to {limit:g} s")
-    content = content_hash(gesture_to_dict(wanted))
+    content = gesture_address(wanted)
 
     def work() -> Response:
         rendered = shared.gestures.get(content) or render(wanted, stop=lambda: shared.events.closed)
+        rendered = replace(rendered, gesture=wanted)  # in the words of this request
         shared.gestures.put(content, rendered)
         return JSONResponse({"id": content} | gesture_document(rendered) | {"links": _links(content)})
 

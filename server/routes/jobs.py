@@ -6,18 +6,18 @@ from fastapi import APIRouter, Header, Query, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import JSONResponse
 
-from vfcore.content import canonical
 from vfcore.errors import ParameterError
-from vfcore.sweep.cost import check_cost as check_sweep_cost
-from vfcore.sweep.document import sweep_to_dict
-from vocalis_server import schemas
-from vocalis_server.cost import check_cost
-from vocalis_server.jobs.document import job_document
-from vocalis_server.jobs.model import Status
-from vocalis_server.openapi import problems
-from vocalis_server.request_schema import JobBody, simulation_of
-from vocalis_server.services import Client, Services, Shared
-from vocalis_server.sweep_schema import AnyJobBody, SweepBody, sweep_of
+from vfcore.runs.sweep.cost import check_cost as check_sweep_cost
+from vfcore.runs.sweep.document import sweep_to_dict
+from vfcore.spec.address import canonical
+from vocalis.server.http.openapi import problems
+from vocalis.server.jobs.cost import check_cost
+from vocalis.server.jobs.document import job_document
+from vocalis.server.jobs.model import Status
+from vocalis.server.schemas import answers
+from vocalis.server.schemas.requests import JobBody, simulation_of
+from vocalis.server.schemas.sweeps import AnyJobBody, SweepBody, sweep_of
+from vocalis.server.services import Client, Services, Shared
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
 _LOCATION = {"Location": {"description": "address of the job", "schema": {"type": "string"}}}
@@ -30,7 +30,7 @@ Key = Annotated[
 @router.post(
     "",
     status_code=202,
-    responses={202: {"model": schemas.JobAnswer, "headers": _LOCATION}} | problems(415, 422, 429, 503, 507),
+    responses={202: {"model": answers.JobAnswer, "headers": _LOCATION}} | problems(415, 422, 429, 503, 507),
 )
 async def submit(body: AnyJobBody, request: Request, shared: Shared, client: Client, key: Key = None) -> Response:
     """Hand in a simulation or a sweep. What has a job already gets that job, finished if it is, unless ``fresh``."""
@@ -63,7 +63,7 @@ async def _simulation(body: JobBody, request: Request, shared: Services) -> tupl
     return canonical(wanted), 1
 
 
-@router.get("", responses={200: {"model": schemas.JobList}} | problems(422))
+@router.get("", responses={200: {"model": answers.JobList}} | problems(422))
 def jobs(
     shared: Shared,
     client: Client,
@@ -78,13 +78,13 @@ def jobs(
     return JSONResponse({"jobs": listed, "next_cursor": str(found[-1].sequence) if more else None})
 
 
-@router.get("/{job_id}", responses={200: {"model": schemas.JobAnswer}} | problems(404, 422))
+@router.get("/{job_id}", responses={200: {"model": answers.JobAnswer}} | problems(404, 422))
 def job(job_id: str, shared: Shared) -> JSONResponse:
     """The state of a job."""
     return JSONResponse(job_document(shared.desk.job(job_id)))
 
 
-@router.delete("/{job_id}", responses={200: {"model": schemas.JobAnswer}} | problems(404, 422, 507))
+@router.delete("/{job_id}", responses={200: {"model": answers.JobAnswer}} | problems(404, 422, 507))
 def dismiss(job_id: str, shared: Shared) -> JSONResponse:
     """Let go of a job; running work that nobody else waits for stops within a second."""
     return JSONResponse(job_document(shared.desk.dismiss(job_id)))

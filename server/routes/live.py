@@ -1,4 +1,4 @@
-"""WS /live: a voice to play, see vocalis_server/live/protocol.py for what is said."""
+"""WS /live: a voice to play, see server/live/protocol.py for what is said."""
 
 import asyncio
 from contextlib import suppress
@@ -6,9 +6,9 @@ from contextlib import suppress
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 
 from vfcore.errors import VocalisError
-from vocalis_server.live.handover import hand_over_of
-from vocalis_server.problems import NotReady, problem_of
-from vocalis_server.services import Services
+from vocalis.server.http.problems import NotReady, problem_of
+from vocalis.server.live.handover import hand_over_of
+from vocalis.server.services import Services
 
 router = APIRouter()
 TRY_AGAIN_LATER = 1013

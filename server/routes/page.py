@@ -16,9 +16,9 @@ from starlette.datastructures import Headers
 from starlette.routing import Match, Mount
 from starlette.types import Scope
 
-from vocalis_server.guard import LOGIN
-from vocalis_server.jobs.document import API
-from vocalis_server.services import Shared
+from vocalis.server.http.guard import LOGIN
+from vocalis.server.jobs.document import API
+from vocalis.server.services import Shared
 
 router = APIRouter(include_in_schema=False)
 DAY_S, YEAR_S = 86_400, 365 * 86_400
@@ -27,7 +27,7 @@ LOGIN_FILES = Path(__file__).parent.parent / "login"
 
 def page_directory() -> Path:
     """The folder of the page's files."""
-    return Path(str(files("vocalis_frontend")))
+    return Path(str(files("vocalis.frontend")))
 
 
 @router.api_route("/", methods=["GET", "HEAD"])

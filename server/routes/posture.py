@@ -5,19 +5,19 @@ from typing import Any
 from fastapi import APIRouter, Request
 from fastapi.responses import JSONResponse
 
-from vfcore.batch import static_shapes
-from vfcore.document import posture_document
-from vfcore.simulate import Prepared, prepare
-from vocalis_server import schemas
-from vocalis_server.neighbours import NeighboursBody, requests_of
-from vocalis_server.openapi import problems
-from vocalis_server.request_schema import PostureBody, simulation_of
-from vocalis_server.services import Shared
+from vfcore.io.result_document import posture_document
+from vfcore.runs.many import static_shapes
+from vfcore.runs.one import Prepared, prepare
+from vocalis.server.http.openapi import problems
+from vocalis.server.schemas import answers
+from vocalis.server.schemas.neighbours import NeighboursBody, requests_of
+from vocalis.server.schemas.requests import PostureBody, simulation_of
+from vocalis.server.services import Shared
 
 router = APIRouter(tags=["posture"])
 
 
-@router.post("/posture", responses={200: {"model": schemas.PostureAnswer}} | problems(415, 422, 429, 503))
+@router.post("/posture", responses={200: {"model": answers.PostureAnswer}} | problems(415, 422, 429, 503))
 async def posture(body: PostureBody, request: Request, shared: Shared) -> JSONResponse:
     """Posture, prestrained coefficients and static shape; takes a request without its ``run``."""
     wanted = simulation_of(body)
@@ -29,7 +29,7 @@ async def posture(body: PostureBody, request: Request, shared: Shared) -> JSONRe
     return JSONResponse(await shared.postures.run(solve, request.is_disconnected))
 
 
-@router.post("/postures", responses={200: {"model": schemas.NeighboursAnswer}} | problems(415, 422, 429, 503))
+@router.post("/postures", responses={200: {"model": answers.NeighboursAnswer}} | problems(415, 422, 429, 503))
 async def postures(body: NeighboursBody, request: Request, shared: Shared) -> JSONResponse:
     """The answers of /posture for several values of one number, in their order.
 

@@ -6,15 +6,15 @@ import orjson
 from fastapi import APIRouter, Query, Response
 from fastapi.responses import JSONResponse, StreamingResponse
 
-from vfcore.audio import render, to_wav_bytes
-from vfcore.document import result_document
 from vfcore.errors import ParameterError
-from vfcore.files.csv import csv_text
-from vfcore.result import ARRAYS, SimulationResult
-from vocalis_server import schemas
-from vocalis_server.encoding import octets as as_octets
-from vocalis_server.openapi import octets, problems
-from vocalis_server.services import Services, Shared
+from vfcore.io.audio import render, to_wav_bytes
+from vfcore.io.csv import csv_text
+from vfcore.io.result_document import result_document
+from vfcore.runs.result import ARRAYS, SimulationResult
+from vocalis.server.http.encoding import octets as as_octets
+from vocalis.server.http.openapi import octets, problems
+from vocalis.server.schemas import answers
+from vocalis.server.services import Services, Shared
 
 router = APIRouter(prefix="/jobs/{job_id}", tags=["results"])
 OCTETS, WAV, NETCDF, CSV = "application/octet-stream", "audio/wav", "application/x-netcdf", "text/csv"
@@ -29,7 +29,7 @@ _ARRAY_HEADERS = {
 }
 
 
-@router.get("/result", responses={200: {"model": schemas.Result | schemas.SweepResult}} | _PROBLEMS)
+@router.get("/result", responses={200: {"model": answers.Result | answers.SweepResult}} | _PROBLEMS)
 def result(job_id: str, shared: Shared, measures: Keys = None, partial: Partial = False) -> Response:
     """Of a simulation: state of phonation, measures, posture, coefficients, and what arrays there are.
 
@@ -87,8 +87,8 @@ def audio(job_id: str, shared: Shared, normalize: bool = True) -> Response:
 @router.get("/result.nc", response_class=Response, responses={200: octets("netCDF-4 with units.", NETCDF)} | _PROBLEMS)
 def netcdf(job_id: str, shared: Shared, partial: Partial = False) -> Response:
     """Everything in one netCDF-4 file, with units and provenance; of a sweep one variable per scalar over its axes."""
-    from vfcore.files.netcdf import netcdf_bytes  # its library would make every start of the server slower
-    from vfcore.sweep.files import netcdf_bytes as sweep_bytes
+    from vfcore.io.netcdf import netcdf_bytes  # its library would make every start of the server slower
+    from vfcore.runs.sweep.files import netcdf_bytes as sweep_bytes
 
     job = shared.desk.job(job_id)
     if job.kind == "sweep":
@@ -105,7 +105,7 @@ def netcdf(job_id: str, shared: Shared, partial: Partial = False) -> Response:
 )
 def csv(job_id: str, shared: Shared, partial: Partial = False) -> Response:
     """The measures as a table."""
-    from vfcore.sweep.files import csv_lines
+    from vfcore.runs.sweep.files import csv_lines
 
     job = shared.desk.job(job_id)
     if job.kind == "sweep":

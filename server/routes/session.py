@@ -6,9 +6,9 @@ from fastapi import APIRouter, Request
 from fastapi.responses import JSONResponse
 from pydantic import BaseModel, ConfigDict, Field
 
-from vocalis_server.openapi import problems
-from vocalis_server.problems import NotAuthorised
-from vocalis_server.services import Shared
+from vocalis.server.http.openapi import problems
+from vocalis.server.http.problems import NotAuthorised
+from vocalis.server.services import Shared
 
 router = APIRouter(tags=["session"])
 WRONG_TOKEN_S = 0.5  # to wait before the next guess is heard

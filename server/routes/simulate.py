@@ -1,28 +1,29 @@
 """POST /simulate: a short run, answered in one go."""
 
+from dataclasses import replace
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import JSONResponse
 
-from vfcore.content import canonical, content_hash
-from vfcore.document import result_document
 from vfcore.errors import ParameterError
-from vfcore.params import Simulation
-from vfcore.result import SimulationResult
-from vfcore.simulate import simulate as run_simulation
-from vocalis_server import schemas
-from vocalis_server.cost import check_cost
-from vocalis_server.encoding import bundle, chosen_names
-from vocalis_server.jobs.document import result_links
-from vocalis_server.openapi import problems
-from vocalis_server.request_schema import SimulationBody, simulation_of
-from vocalis_server.services import Services, Shared
+from vfcore.io.result_document import result_document
+from vfcore.runs.one import simulate as run_simulation
+from vfcore.runs.result import SimulationResult
+from vfcore.spec.address import address
+from vfcore.spec.simulation import Simulation
+from vocalis.server.http.encoding import bundle, chosen_names
+from vocalis.server.http.openapi import problems
+from vocalis.server.jobs.cost import check_cost
+from vocalis.server.jobs.document import result_links
+from vocalis.server.schemas import answers
+from vocalis.server.schemas.requests import SimulationBody, simulation_of
+from vocalis.server.services import Services, Shared
 
 router = APIRouter(tags=["simulate"])
 OCTETS = "application/octet-stream"
 _OK = {
-    "model": schemas.SimulateAnswer,
+    "model": answers.SimulateAnswer,
     "description": "The result. As octets: uint32 little-endian header length, JSON header (this document, each of "
     "the chosen arrays with its `offset` from the start of the data), then the arrays, little-endian float32.",
     "content": {OCTETS: {"schema": {"type": "string", "format": "binary"}}},
@@ -52,7 +53,7 @@ async def simulate(
 
 def _result(shared: Services, request: Simulation) -> tuple[str, SimulationResult]:
     """The kept result of a request, or a new one."""
-    content = content_hash(canonical(request))
+    content = address(request)
     result = shared.archive.get(content)
     if result is None:
         limit = shared.settings.simulate_duration_s
@@ -64,4 +65,4 @@ def _result(shared: Services, request: Simulation) -> tuple[str, SimulationResul
         check_cost(request, shared.settings.simulate_node_steps, "VOCALIS_SIMULATE_NODE_STEPS")
         result = run_simulation(request, stop=lambda: shared.events.closed)
         shared.archive.show(content, result)
-    return content, result
+    return content, replace(result, request=request)  # in the words of this request

@@ -7,18 +7,18 @@ import numpy as np
 from fastapi import APIRouter, Query
 from fastapi.responses import JSONResponse
 
-from vfcore.acoustics.area_functions import area_function
-from vfcore.acoustics.resonances import closed_glottis_formants, transfer_function
-from vfcore.acoustics.tract import vowel_tract
-from vfcore.constants import FoldConstants
-from vfcore.params import VOWELS
-from vocalis_server import schemas
-from vocalis_server.openapi import problems
+from vfcore.airways.coupled import tract_of
+from vfcore.airways.resonances import closed_glottis_formants, transfer_function
+from vfcore.spec.area_functions import area_function
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.simulation import VARIANTS, VOWELS, Simulation
+from vocalis.server.http.openapi import problems
+from vocalis.server.schemas import answers
 
 router = APIRouter(prefix="/tract", tags=["catalogue"])
 FORMANTS = 5  # all lie below HIGHEST_HZ for the tracts offered, at the air's usual sound speed
 HIGHEST_HZ, STEP_HZ = 6000.0, 20.0
-_AIR = FoldConstants()
 
 
 def _limits(name: str) -> dict[str, float]:
@@ -26,21 +26,32 @@ def _limits(name: str) -> dict[str, float]:
     return {"ge": metadata["low"], "le": metadata["high"]}
 
 
-Density = Annotated[float, Query(**_limits("rho_a_kg_m3"), description="density of air, kg/m³")]
-Speed = Annotated[float, Query(**_limits("c_a_m_s"), description="speed of sound, m/s")]
+Density = Annotated[
+    float | None, Query(**_limits("rho_a_kg_m3"), description="density of air, kg/m³; the variant's own when left out")
+]
+Speed = Annotated[
+    float | None, Query(**_limits("c_a_m_s"), description="speed of sound, m/s; the variant's own when left out")
+]
 
 
-@router.get("/{vowel}", responses={200: {"model": schemas.TractAnswer}} | problems(404, 422))
+@router.get("/{vowel}", responses={200: {"model": answers.TractAnswer}} | problems(404, 422))
 def tract(
-    vowel: Literal[tuple(VOWELS)], rho_a_kg_m3: Density = _AIR.rho_a_kg_m3, c_a_m_s: Speed = _AIR.c_a_m_s
+    vowel: Literal[tuple(VOWELS)],
+    variant: Annotated[Literal[tuple(VARIANTS)], Query(description="model variant, whose airways these are")] = "paper",
+    rho_a_kg_m3: Density = None,
+    c_a_m_s: Speed = None,
 ) -> JSONResponse:
-    """Area function, resonances with the glottis closed, and gain from glottal flow to pressure at the lips."""
-    return JSONResponse(_tract(vowel, rho_a_kg_m3, c_a_m_s))
+    """Area function, resonances with the glottis closed, and gain from glottal flow to pressure at the lips.
+
+    It is the tract that a run of this vowel, variant and air is heard through.
+    """
+    air = {name: value for name, value in (("rho_a_kg_m3", rho_a_kg_m3), ("c_a_m_s", c_a_m_s)) if value is not None}
+    return JSONResponse(_tract(simulation_from_dict({"vowel": vowel, "model": {"variant": variant}, "constants": air})))
 
 
 @lru_cache(maxsize=64)
-def _tract(vowel: str, rho_a_kg_m3: float, c_a_m_s: float) -> dict[str, Any]:
-    published, tubes = area_function(vowel), vowel_tract(vowel, rho_a_kg_m3, c_a_m_s)
+def _tract(request: Simulation) -> dict[str, Any]:
+    vowel, published, tubes = request.vowel, area_function(request.vowel), tract_of(request)
     formants = closed_glottis_formants(tubes, FORMANTS)
     frequency_hz = np.arange(STEP_HZ, HIGHEST_HZ + STEP_HZ / 2, STEP_HZ)
     gain = np.abs(transfer_function(tubes, frequency_hz).lip_pressure)

@@ -46,7 +46,7 @@ def pytest_collection_modifyitems(items):
 def server_process(**environment: str) -> Iterator[str]:
     """The address of a server of its own process, ready to compute."""
     process = subprocess.Popen(
-        [sys.executable, "-m", "vocalis_server", "--port", "0"],
+        [sys.executable, "-m", "vocalis.server", "--port", "0"],
         cwd=ROOT,
         env=os.environ | {"PYTHONUNBUFFERED": "1"} | environment,
         stdout=subprocess.PIPE,

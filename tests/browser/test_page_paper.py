@@ -6,7 +6,7 @@ import pytest
 
 from tests.browser.conftest import DESK, PHONE
 from tests.browser.test_page_access import findings
-from vocalis_paper.report_ship import SCOREBOARD, shipped
+from vocalis.studies.paper.report.ship import SCOREBOARD, shipped
 
 SECTIONS = ("static", "modal", "maps", "pca", "scoreboard")
 CANVASES = {

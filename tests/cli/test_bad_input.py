@@ -4,7 +4,7 @@ import io
 
 import pytest
 
-from vocalis_cli.main import main
+from vocalis.cli.main import main
 
 # arguments after the command, and what the line has to name
 REFUSED = [
@@ -93,7 +93,7 @@ def test_a_file_that_is_not_text_is_refused(capsys, tmp_path):
 
 
 def test_an_unwritable_file_is_found_out_before_the_run(capsys, monkeypatch):
-    monkeypatch.setattr("vocalis_cli.simulate.simulate_watched", lambda request: pytest.fail("it was run"))
+    monkeypatch.setattr("vocalis.cli.simulate.simulate_watched", lambda request: pytest.fail("it was run"))
     assert "/no/such/folder" in refusal(capsys, "simulate", "--wav", "/no/such/folder/x.wav")
 
 
@@ -101,7 +101,7 @@ def test_a_disk_that_fills_up_is_one_line_too(capsys, monkeypatch, tmp_path):
     def full(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("vocalis_cli.simulate.write_netcdf", full)
+    monkeypatch.setattr("vocalis.cli.simulate.write_netcdf", full)
     assert main(["simulate", "--duration", "0.05", "--json", "--netcdf", str(tmp_path / "x.nc")]) == 2
     assert "--netcdf" in capsys.readouterr().err.splitlines()[-1]
 

@@ -9,15 +9,15 @@ import pytest
 
 from tests.support.fold_harness import MODAL, product_and_twin
 from vfcore.kernels.layout import Layout
-from vfcore.params import PAPER_STEP_S, Run, Simulation
-from vfcore.simulate import prepare, simulate
-from vocalis_bench import history, suite
-from vocalis_bench.answers import answers
-from vocalis_bench.count import Counted, count_step
-from vocalis_bench.reference import plain_run
-from vocalis_bench.rounds import interleaved, turns
-from vocalis_bench.sweeps import served, to_table
-from vocalis_cli.main import main
+from vfcore.runs.one import prepare, simulate
+from vfcore.spec.simulation import PAPER_STEP_S, Run, Simulation
+from vocalis.bench import history, suite
+from vocalis.bench.answers import answers
+from vocalis.bench.count import Counted, count_step
+from vocalis.bench.reference import plain_run
+from vocalis.bench.rounds import interleaved, turns
+from vocalis.bench.sweeps import served, to_table
+from vocalis.cli.main import main
 
 
 def rate(area, sample_s):
@@ -143,7 +143,7 @@ def test_the_table_says_what_is_wanted(capsys, monkeypatch):
         suite.Row("b", "ratio", 30.0, "×", at_least=20.0),
         suite.Row("c", "free", 7.0, "MB"),
     ]
-    monkeypatch.setattr("vocalis_cli.bench.run", lambda rounds, **named: rows)
+    monkeypatch.setattr("vocalis.cli.bench.run", lambda rounds, **named: rows)
     assert main(["bench", "--quick"]) == 0
     lines = capsys.readouterr().out.splitlines()
     endings = {line.split()[0]: line.rstrip() for line in lines if line.strip()}

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import vfcore
-from vfcore.document import posture_document
-from vfcore.params import Activation, Run, Simulation
-from vfcore.posture.tables import constant_names
-from vfcore.simulate import prepare
-from vocalis_cli.main import main
+from vfcore.io.result_document import posture_document
+from vfcore.runs.one import prepare
+from vfcore.spec.posture_sets import constant_names
+from vfcore.spec.simulation import Activation, Run, Simulation
+from vocalis.cli.main import main
 
 BREATHY = Simulation(activation=Activation(pca=0.5), run=Run(nx=15))
 

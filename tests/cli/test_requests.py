@@ -5,12 +5,12 @@ import json
 
 import pytest
 
-from vfcore.params import Simulation
-from vfcore.presets import PRESETS
-from vfcore.request import simulation_from_dict
-from vfcore.schema import parameter_schema
-from vocalis_cli.main import main
-from vocalis_cli.options import POSTURE_OPTIONS, SHAPE_OPTIONS, SIMULATE_OPTIONS
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.presets import PRESETS
+from vfcore.spec.schema import parameter_schema
+from vfcore.spec.simulation import Simulation
+from vocalis.cli.main import main
+from vocalis.cli.options import POSTURE_OPTIONS, SHAPE_OPTIONS, SIMULATE_OPTIONS
 
 
 @pytest.fixture
@@ -26,7 +26,7 @@ def request_of(monkeypatch):
         seen.append(request)
         raise Reached
 
-    monkeypatch.setattr("vocalis_cli.simulate.simulate_watched", catch)
+    monkeypatch.setattr("vocalis.cli.simulate.simulate_watched", catch)
 
     def of(*arguments):
         with pytest.raises(Reached):

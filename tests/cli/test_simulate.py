@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 import xarray
 
-from vfcore.document import result_document
-from vfcore.params import Activation, Run, Simulation
-from vfcore.simulate import simulate
+from vfcore.io.result_document import result_document
+from vfcore.runs.one import simulate
+from vfcore.spec.simulation import Activation, Run, Simulation
 
 VOCALIS = Path(sys.executable).with_name("vocalis")
 REQUEST = Simulation(activation=Activation(ct=0.5, ta=0.3), vowel="i", run=Run(duration_s=0.6))

@@ -11,15 +11,15 @@ from pathlib import Path
 import pytest
 import xarray
 
-from vfcore.sweep import run_sweep, sweep_from_dict
-from vocalis_cli.axes import axis
+from vfcore.runs.sweep import run_sweep, sweep_from_dict
+from vocalis.cli.axes import axis
 
 README = Path(__file__).parents[2] / "README.md"
 SHORT = ("--duration", "0.1")
 
 
 def vocalis(*arguments, **options) -> subprocess.CompletedProcess:
-    command = [sys.executable, "-c", "from vocalis_cli.main import run; run()", *arguments]
+    command = [sys.executable, "-c", "from vocalis.cli.main import run; run()", *arguments]
     return subprocess.run(command, capture_output=True, text=True, timeout=200, **options)
 
 
@@ -94,7 +94,7 @@ def test_a_killed_sweep_goes_on_where_it_was(tmp_path):
         "--workers",
         "1",
     )
-    command = [sys.executable, "-c", "from vocalis_cli.main import run; run()", *arguments]
+    command = [sys.executable, "-c", "from vocalis.cli.main import run; run()", *arguments]
     running = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.DEVNULL)
     journal = tmp_path / "map.nc.journal"
     deadline = time.monotonic() + 100

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 import vfcore
-from vfcore.request import simulation_from_dict
+from vfcore.spec.document import simulation_from_dict
 
 STORED = Path(__file__).with_name("results.json")
 #: Results of one machine and another differ by rounding only; a periodic voice does not amplify it.

@@ -6,12 +6,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.airways_twin import AirwaysTwin, law_of
-from vfcore.acoustics.airways import LUNG_RESISTANCE_PA_S_M3, STEADY_BELOW_HZ, airways
-from vfcore.acoustics.resonances import closed_glottis_formants, input_impedance
-from vfcore.acoustics.subglottal import subglottal_tract
+from vfcore.airways.coupled import LUNG_RESISTANCE_PA_S_M3, STEADY_BELOW_HZ, airways
+from vfcore.airways.resonances import closed_glottis_formants, input_impedance
+from vfcore.airways.subglottal import subglottal_tract
 from vfcore.errors import ParameterError
 from vfcore.kernels import airways as kernel
-from vfcore.params import DEFAULT_STEP_S, SECTION_TRAVEL_S, VOWELS
+from vfcore.spec.simulation import DEFAULT_STEP_S, SECTION_TRAVEL_S, VOWELS
 
 RHO, C = 1.14, 350.0
 MALE = airways("a", RHO, C, DEFAULT_STEP_S)

@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.support.coefficient_twin import coefficients as twin_coefficients
-from vfcore.constants import FoldConstants
 from vfcore.errors import ParameterError
 from vfcore.kernels.tissue import active, passive
-from vfcore.tissue.coefficients import coefficients
+from vfcore.larynx.tissue.coefficients import coefficients
+from vfcore.spec.fold_constants import FoldConstants
 
 CONSTANTS = FoldConstants()
 

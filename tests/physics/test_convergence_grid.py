@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, NO_DAMPERS, advance, get_state, product_and_twin, put_state
-from vfcore.march import March
-from vfcore.statics import static_shape_of
+from vfcore.fold.march import March
+from vfcore.fold.statics import static_shape_of
 
 GRIDS = [(11, 6), (21, 11), (41, 21)]
 

@@ -7,14 +7,14 @@ import pytest
 
 from tests.support.airways_twin import AirwaysTwin
 from tests.support.fold_harness import get_state, product_and_twin
-from vfcore.acoustics.airways import Airways, airways
-from vfcore.acoustics.tract import Tract
-from vfcore.assemble import beam, membrane, with_constants
+from vfcore.airways.coupled import Airways, airways
+from vfcore.airways.tract import Tract
+from vfcore.fold.assemble import beam, membrane, with_constants
+from vfcore.fold.march import March
 from vfcore.kernels.layout import RECORD
-from vfcore.march import March
-from vfcore.params import DEFAULT_STEP_S, SECTION_TRAVEL_S
-from vfcore.request import simulation_from_dict
-from vfcore.simulate import simulate
+from vfcore.runs.one import simulate
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.simulation import DEFAULT_STEP_S, SECTION_TRAVEL_S
 
 RHO, C, P_S = 1.14, 350.0, 800.0
 DAMPED = {"C_coup_pa_s_m": 300.0}

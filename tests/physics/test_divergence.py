@@ -8,12 +8,12 @@ import pytest
 
 import vfcore
 from tests.support.fold_harness import MODAL, advance, product_and_twin
-from vfcore.assemble import membrane
 from vfcore.errors import DivergenceError, VocalisError
+from vfcore.fold.assemble import membrane
+from vfcore.fold.march import March
+from vfcore.fold.stability import SAFETY, longest_stable_step_s
 from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M
-from vfcore.march import March
-from vfcore.params import Run, Simulation
-from vfcore.stability import SAFETY, longest_stable_step_s
+from vfcore.spec.simulation import Run, Simulation
 
 
 def too_long_step(fold):
@@ -75,6 +75,6 @@ def test_a_state_that_is_not_a_larynx_any_more_is_refused(value):
 
 
 def test_a_whole_run_that_diverges_gives_the_error_and_no_result(monkeypatch):
-    monkeypatch.setattr(sys.modules["vfcore.simulate"], "time_step_s", lambda run, fold: too_long_step(fold))
+    monkeypatch.setattr(sys.modules["vfcore.runs.one"], "time_step_s", lambda run, fold: too_long_step(fold))
     with pytest.raises(DivergenceError, match=r"the run diverged at t = .* ms"):
         vfcore.simulate(Simulation(run=Run(duration_s=0.2)))

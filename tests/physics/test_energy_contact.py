@@ -9,8 +9,8 @@ import pytest
 
 from tests.support.fold_harness import NO_DAMPERS, SHEARS, advance, half_step_back, product_and_twin, put_state
 from tests.support.fold_harness import get_state as state_of
-from vfcore.march import March
-from vfcore.params import DEFAULT_STEP_S
+from vfcore.fold.march import March
+from vfcore.spec.simulation import DEFAULT_STEP_S
 
 POSTURE = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.02, "theta_conv": 0.05}
 

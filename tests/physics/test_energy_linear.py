@@ -14,8 +14,8 @@ from tests.support.fold_harness import (
     product_and_twin,
     put_state,
 )
-from vfcore.march import March
-from vfcore.params import DEFAULT_STEP_S
+from vfcore.fold.march import March
+from vfcore.spec.simulation import DEFAULT_STEP_S
 
 
 def plucked(twin, count=12, size=1e-5):

@@ -5,7 +5,7 @@ import pytest
 
 import vfcore
 from tests.support.equivalence import BOUNDS, SAME_STATE, compare, report, survey
-from vfcore.params import DEFAULT_STEP_S, Activation, Run, Simulation
+from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Run, Simulation
 
 
 def test_the_modal_voice_is_that_of_the_papers_step():

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from vfcore.params import Activation, Run, Simulation
-from vfcore.simulate import simulate
+from vfcore.runs.one import simulate
+from vfcore.spec.simulation import Activation, Run, Simulation
 
 VOICES = {
     "modal": Activation(),

@@ -6,12 +6,12 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from tests.support.fold_harness import product_and_twin
-from vfcore.assemble import membrane
+from vfcore.fold.assemble import membrane
+from vfcore.fold.march import March
 from vfcore.kernels.flow import share_held, share_shut
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import RECORD
 from vfcore.kernels.surface import surface_pressures
-from vfcore.march import March
 
 NX, NY = 12, 6
 RHO, MU, ALPHA_S, P_S = 1.14, 1.8e-5, 1.3, 1000.0

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 import vfcore
-import vfcore.march
+import vfcore.fold.march
 from tests.support.fold_harness import MODAL, advance, product_and_twin
 from vfcore.errors import Cancelled
+from vfcore.fold.march import March
 from vfcore.kernels.layout import RECORD
-from vfcore.march import March
-from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, Run, Simulation
+from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Run, Simulation
 
 COLUMN = {name: k for k, name in enumerate(RECORD)}
 
@@ -103,7 +103,7 @@ def whole_run(samples=700, **kwargs):
 @pytest.mark.parametrize("chunk_s", [DEFAULT_STEP_S, 1e-3, 7.7e-3, 1.0])
 def test_the_size_of_the_chunks_changes_nothing(chunk_s, monkeypatch):
     record, buffer = whole_run()
-    monkeypatch.setattr(vfcore.march, "CHUNK_S", chunk_s)
+    monkeypatch.setattr(vfcore.fold.march, "CHUNK_S", chunk_s)
     other_record, other_buffer = whole_run()
     assert np.array_equal(record, other_record, equal_nan=True)
     assert np.array_equal(buffer, other_buffer)
@@ -176,5 +176,5 @@ def test_a_quarter_of_a_second_can_be_read_back_and_the_march_says_how_far():
     march = modal_march()
     march.run(14_000)
     oldest = march.oldest_sample
-    assert 0.25 <= (14_000 - oldest) * DEFAULT_STEP_S <= 0.25 + vfcore.march.CHUNK_S
+    assert 0.25 <= (14_000 - oldest) * DEFAULT_STEP_S <= 0.25 + vfcore.fold.march.CHUNK_S
     assert march.cycle(oldest, oldest + 100, 4)["cycle_w_m"].shape == (4, 20, 10)

@@ -5,16 +5,16 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 import vfcore
-import vfcore.gesture.glide
-from vfcore.acoustics.impulse_response import radiate
-from vfcore.acoustics.tract import vowel_tract
-from vfcore.audio import AUDIO_RATE_HZ
-from vfcore.audio import render as resampled
+import vfcore.runs.gesture.glide
+from vfcore.airways.impulse_response import radiate
+from vfcore.airways.tract import vowel_tract
 from vfcore.errors import Cancelled, DivergenceError, ParameterError
-from vfcore.gesture.approach import approach
-from vfcore.gesture.gesture import gesture_from_dict
-from vfcore.gesture.render import RATE_HZ, render
-from vfcore.gesture.voice import BLOCK_S, BLOCK_STEPS, Voice
+from vfcore.io.audio import AUDIO_RATE_HZ
+from vfcore.io.audio import render as resampled
+from vfcore.runs.gesture.gesture import gesture_from_dict
+from vfcore.runs.gesture.render import RATE_HZ, render
+from vfcore.runs.gesture.slew import approach
+from vfcore.runs.gesture.voice import BLOCK_S, BLOCK_STEPS, Voice
 
 
 def glide(seconds=1.2, **activation):
@@ -71,7 +71,7 @@ def test_shorter_stretches_change_nothing_to_be_heard(monkeypatch):
     """Even in the fastest glide the geometry moves smoothly enough: −38 dB during it, −60 dB after it."""
     ct = [[0.2, 0.1], [0.25, 0.9]]
     sound = glide(0.4, ct=ct).waves["radiated_pressure_pa"]
-    monkeypatch.setattr(vfcore.gesture.glide, "STRETCH_STEPS", 2)
+    monkeypatch.setattr(vfcore.runs.gesture.glide, "STRETCH_STEPS", 2)
     finer = glide(0.4, ct=ct).waves["radiated_pressure_pa"]
     during, after = slice(round(0.2 * RATE_HZ), round(0.25 * RATE_HZ)), slice(round(0.27 * RATE_HZ), None)
     for part, least in ((during, -38.0), (after, -60.0)):

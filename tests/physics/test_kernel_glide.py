@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from vfcore import assemble
-from vfcore.gesture.glide import STRETCH_STEPS, GlidingFold, Goal
+from vfcore.fold import assemble
+from vfcore.fold.march import March
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import RECORD
-from vfcore.march import March
-from vfcore.params import DEFAULT_STEP_S, Activation, Run, Simulation
-from vfcore.simulate import fold_of, posture_of
+from vfcore.runs.gesture.glide import STRETCH_STEPS, GlidingFold, Goal
+from vfcore.runs.one import fold_of, posture_of
+from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Run, Simulation
 
 pytestmark = pytest.mark.kernel
 STEPS, LOOK = 45, 20

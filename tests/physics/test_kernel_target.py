@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 
 import vfcore
-from vfcore import assemble
 from vfcore.errors import ParameterError
-from vfcore.gesture.glide import GlidingFold, Goal, packed
+from vfcore.fold import assemble
+from vfcore.fold.march import March
+from vfcore.fold.stability import SAFETY, longest_stable_step_s
 from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.layout import SCALARS, Layout
-from vfcore.kernels.target import target_kernel
-from vfcore.march import March
-from vfcore.params import DEFAULT_STEP_S, Activation, Model, PostureOverride, Run, Simulation
-from vfcore.simulate import prepare
-from vfcore.stability import SAFETY, longest_stable_step_s
+from vfcore.kernels.reassemble import target_kernel
+from vfcore.runs.gesture.glide import GlidingFold, Goal, packed
+from vfcore.runs.one import prepare
+from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Model, PostureOverride, Run, Simulation
 
 pytestmark = pytest.mark.kernel
 START = Simulation(run=Run(nx=8, ny=4))

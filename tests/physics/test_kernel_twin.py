@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, advance, get_state, product_and_twin, put_state
+from vfcore.fold.march import March
 from vfcore.kernels.layout import RECORD
-from vfcore.march import March
-from vfcore.params import DEFAULT_STEP_S
+from vfcore.spec.simulation import DEFAULT_STEP_S
 
 OPEN_BACK = {"strain": -0.004, "a_ta": 0.4, "theta_g": 0.192}
 SHORT = {"strain": -0.315, "a_ta": 1.0, "theta_g": 0.0}

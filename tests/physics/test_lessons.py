@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from vfcore.acoustics.resonances import closed_glottis_formants
-from vfcore.acoustics.tract import vowel_tract
-from vfcore.request import numeric_paths, simulation_from_dict
-from vfcore.simulate import simulate
+from vfcore.airways.resonances import closed_glottis_formants
+from vfcore.airways.tract import vowel_tract
+from vfcore.runs.one import simulate
+from vfcore.spec.document import numeric_paths, simulation_from_dict
 
 LESSONS = Path(__file__).parents[2] / "frontend" / "features" / "lessons"
 PANELS = {"waves", "voice", "folds", "compare", "measures"}

@@ -5,10 +5,10 @@ import pytest
 
 from tests.support.fold_harness import MODAL, product_and_twin
 from vfcore.errors import Cancelled, DivergenceError
-from vfcore.march import March
-from vfcore.march_batch import OF_EACH, Motion, march_many
-from vfcore.params import DEFAULT_STEP_S
-from vfcore.statics import static_shape_of
+from vfcore.fold.march import March
+from vfcore.fold.march_many import OF_EACH, Motion, march_many
+from vfcore.fold.statics import static_shape_of
+from vfcore.spec.simulation import DEFAULT_STEP_S
 
 OPEN_BACK = {"strain": -0.004, "a_ta": 0.4, "theta_g": 0.192}
 LONG = {"strain": 0.23, "a_ta": 0.0, "theta_g": 0.018}

@@ -18,9 +18,9 @@ from tests.support.fold_harness import (
     product_and_twin,
     put_state,
 )
+from vfcore.fold.march import March
 from vfcore.kernels.layout import RECORD
-from vfcore.march import March
-from vfcore.params import PAPER_STEP_S
+from vfcore.spec.simulation import PAPER_STEP_S
 
 SIZE_M = 1e-6
 

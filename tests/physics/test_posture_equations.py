@@ -5,8 +5,8 @@ import pytest
 
 from tests.support import posture_twin as twin
 from vfcore.kernels.posture_equations import equilibrium
-from vfcore.posture.packing import MUSCLE_ORDER, load_scale, pack
-from vfcore.posture.tables import POSTURE_SETS, posture_set
+from vfcore.larynx.posture.packing import MUSCLE_ORDER, load_scale, pack
+from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
 
 SPREAD = np.array([3e-3, 3e-3, 0.3, 0.08, 0.2])  # every stiffness law passes its limit, a third of the states collide
 

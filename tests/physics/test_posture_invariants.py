@@ -20,9 +20,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from vfcore.posture.equilibrium import solve_posture_batch
-from vfcore.posture.packing import MUSCLE_ORDER
-from vfcore.posture.tables import POSTURE_SETS, posture_set
+from vfcore.larynx.posture.equilibrium import solve_posture_batch
+from vfcore.larynx.posture.packing import MUSCLE_ORDER
+from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
 
 XI, THETA = 0, 2  # columns of the unknowns
 unit = st.floats(0, 1)

@@ -8,10 +8,10 @@ from scipy.optimize import root
 
 from tests.support import posture_twin as twin
 from vfcore.errors import PostureError
-from vfcore.params import Activation
-from vfcore.posture.equilibrium import solve_posture, solve_posture_batch
-from vfcore.posture.packing import MUSCLE_ORDER, load_scale, pack
-from vfcore.posture.tables import POSTURE_SETS, posture_set
+from vfcore.larynx.posture.equilibrium import solve_posture, solve_posture_batch
+from vfcore.larynx.posture.packing import MUSCLE_ORDER, load_scale, pack
+from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
+from vfcore.spec.simulation import Activation
 
 UNCOMPILED = os.environ.get("NUMBA_DISABLE_JIT") == "1"  # the same tests in plain Python, on fewer points
 SAMPLES = 40 if UNCOMPILED else 10_000

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from vfcore.params import Activation
-from vfcore.posture.equilibrium import solve_posture
-from vfcore.posture.tables import posture_set
+from vfcore.larynx.posture.equilibrium import solve_posture
+from vfcore.spec.posture_sets import posture_set
+from vfcore.spec.simulation import Activation
 
 # LCA, IA, PCA, CT, TA -> strain, raw half-angle (rad); None: not reported.
 REPORTED = {

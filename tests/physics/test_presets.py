@@ -4,9 +4,9 @@ from functools import cache
 
 import pytest
 
-from vfcore.presets import PRESETS
-from vfcore.request import simulation_from_dict
-from vfcore.simulate import simulate
+from vfcore.runs.one import simulate
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.presets import PRESETS
 
 KEYS = [preset.key for preset in PRESETS]
 

@@ -8,9 +8,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin, put_state
-from vfcore.march import March
-from vfcore.stability import SAFETY, longest_stable_step_s
-from vfcore.statics import static_shape_of
+from vfcore.fold.march import March
+from vfcore.fold.stability import SAFETY, longest_stable_step_s
+from vfcore.fold.statics import static_shape_of
 
 POSTURES = [MODAL, {"strain": 0.23, "a_ta": 0.0, "theta_g": 0.018}, {"strain": -0.315, "a_ta": 1.0, "theta_g": 0.0}]
 #: Each makes another term lead: tension, contact spring, contact damper, coupling, foundation spring, its damper.

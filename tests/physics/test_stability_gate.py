@@ -5,9 +5,9 @@ import pytest
 
 import vfcore
 from vfcore.errors import ParameterError, StabilityError
-from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, Run, Simulation
-from vfcore.simulate import prepare
-from vfcore.stability import longest_stable_step_s, time_step_s
+from vfcore.fold.stability import longest_stable_step_s, time_step_s
+from vfcore.runs.one import prepare
+from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Run, Simulation
 
 
 def fold_on(nx, ny):

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin
-from vfcore.assemble import beam, membrane, with_constants
-from vfcore.march import March
-from vfcore.params import DEFAULT_STEP_S, Run
-from vfcore.stability import time_step_s
-from vfcore.statics import static_shape_of
+from vfcore.fold.assemble import beam, membrane, with_constants
+from vfcore.fold.march import March
+from vfcore.fold.stability import time_step_s
+from vfcore.fold.statics import static_shape_of
+from vfcore.spec.simulation import DEFAULT_STEP_S, Run
 
 POSTURES = {
     "modal, closed": MODAL,

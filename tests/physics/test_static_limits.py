@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import vfcore.statics
+import vfcore.fold.statics
 from tests.support.fold_harness import MODAL, product_and_twin
 from vfcore.errors import StaticShapeError
-from vfcore.statics import static_shape_of
+from vfcore.fold.statics import static_shape_of
 
 OPEN = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.4, "theta_conv": 0.2}
 
@@ -56,6 +56,6 @@ def fold_middle(shape):
 
 
 def test_a_contact_that_does_not_settle_is_an_error_with_a_remedy(monkeypatch):
-    monkeypatch.setattr(vfcore.statics, "MAX_ITERATIONS", 1)
+    monkeypatch.setattr(vfcore.fold.statics, "MAX_ITERATIONS", 1)
     with pytest.raises(StaticShapeError, match=r"did not settle after 1 solves; try .*K_col_pa_m"):
         static_shape_of(product_and_twin(**MODAL)[0])

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from vfcore.acoustics.area_functions import AreaFunction, area_function, resampled
-from vfcore.acoustics.tract import vowel_tract
+from vfcore.airways.tract import vowel_tract
 from vfcore.errors import ParameterError
-from vfcore.params import VOWELS
+from vfcore.spec.area_functions import AreaFunction, area_function, resampled
+from vfcore.spec.simulation import VOWELS
 
 # Story (2008): length of the tract in cm, 44 sections
 LENGTHS_CM = {

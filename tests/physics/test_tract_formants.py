@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from tests.support.tract_twin import chain_response
-from vfcore.acoustics.area_functions import area_function
-from vfcore.acoustics.resonances import closed_glottis_formants, poles, transfer_function
-from vfcore.acoustics.tract import Tract, vowel_tract
+from vfcore.airways.resonances import closed_glottis_formants, poles, transfer_function
+from vfcore.airways.tract import Tract, vowel_tract
 from vfcore.errors import ParameterError
-from vfcore.params import VOWELS
+from vfcore.spec.area_functions import area_function
+from vfcore.spec.simulation import VOWELS
 
 
 @cache

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from tests.support.tract_twin import chain_response
-from vfcore.acoustics import impulse_response as module
-from vfcore.acoustics.impulse_response import FAR_DISTANCE_M, impulse_response, radiate, radiate_each
-from vfcore.acoustics.tract import Tract, stepped, vowel_tract
+from vfcore.airways import impulse_response as module
+from vfcore.airways.impulse_response import FAR_DISTANCE_M, impulse_response, radiate, radiate_each
+from vfcore.airways.tract import Tract, stepped, vowel_tract
 from vfcore.errors import ParameterError
-from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S
+from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S
 
 A = vowel_tract("a")
 TRAVEL = A.section_travel_s

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.support.tract_twin import stepped_twin
-from vfcore.acoustics.tract import Tract, stepped, vowel_tract
+from vfcore.airways.tract import Tract, stepped, vowel_tract
 from vfcore.errors import ParameterError
 from vfcore.kernels.tract import FINITE, advance_tract
 

@@ -9,10 +9,11 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 import vfcore
-from vfcore.constants import FoldConstants
 from vfcore.errors import VocalisError
 from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M
-from vfcore.params import (
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.posture_sets import POSTURE_SETS
+from vfcore.spec.simulation import (
     COUPLING_GRADIENTS,
     SHEAR_FORMS,
     VARIANTS,
@@ -23,7 +24,6 @@ from vfcore.params import (
     Run,
     Simulation,
 )
-from vfcore.posture.tables import POSTURE_SETS
 
 GRIDS = [(20, 10), (12, 6), (6, 3)]
 MAY_BE_NAN = {"contact_location"}

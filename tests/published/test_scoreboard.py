@@ -8,14 +8,14 @@ import pytest
 
 from tests.support.inline_pool import InlinePool
 from vfcore.version import MODEL_VERSION
-from vocalis_paper import CASES, CLAIMS
-from vocalis_paper.convergence import last_changes
-from vocalis_paper.report_ship import CONVERGENCE, PAGE, SCOREBOARD, STUDY, pages, shipped
-from vocalis_paper.report_text import filled
-from vocalis_paper.run import workers
-from vocalis_paper.run_document import READINGS, score_variant
-from vocalis_paper.run_score import definitions_hash
-from vocalis_paper.study import changes
+from vocalis.studies.paper import CASES, CLAIMS
+from vocalis.studies.paper.convergence.refinement import last_changes
+from vocalis.studies.paper.report.ship import CONVERGENCE, PAGE, SCOREBOARD, STUDY, pages, shipped
+from vocalis.studies.paper.report.text import filled
+from vocalis.studies.paper.run.document import READINGS, score_variant
+from vocalis.studies.paper.run.gather import workers
+from vocalis.studies.paper.run.score import definitions_hash
+from vocalis.studies.paper.study.designed import changes
 
 #: What the variant "paper" has reached; a claim may get better, not worse, without a word here. P1 stands within one
 #: phase of the cycle of its bound, 75 %: it passed under model 4 and does not under 3 and 5.
@@ -24,7 +24,7 @@ HELD = {"S3", "S4", "A1", "A7", "A8", "P1", "P2", "P4"}
 MANY_RUNS = {key for key, claim in CLAIMS.items() if {CASES[n].kind for n in claim.needs} & {"map", "sweep"}}
 #: Wall time is that of the machine.
 QUICK = {key: CLAIMS[key] for key in CLAIMS if key not in MANY_RUNS and key != "T1"}
-AGAIN = "run `python -m vocalis_paper.report_ship` and read what changed"
+AGAIN = "run `python -m vocalis.studies.paper.report.ship` and read what changed"
 
 
 @cache
@@ -89,7 +89,7 @@ def test_every_shipped_run_is_accounted_for(variant):
 @pytest.mark.parametrize("path", pages(), ids=lambda path: path.stem)
 def test_the_page_shows_the_shipped_tables(path):
     page = path.read_text(encoding="utf-8")
-    assert filled(page, pages()[path]) == page, "run `python -m vocalis_paper.report_ship --text`"
+    assert filled(page, pages()[path]) == page, "run `python -m vocalis.studies.paper.report.ship --text`"
 
 
 def test_no_table_of_the_scoreboard_stands_without_its_maker():

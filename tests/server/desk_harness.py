@@ -2,17 +2,17 @@
 
 from pathlib import Path
 
-from vocalis_server.jobs.archive import Archive
-from vocalis_server.jobs.database import Database
-from vocalis_server.jobs.desk import Desk
-from vocalis_server.jobs.events import EventLog
-from vocalis_server.jobs.folder import Folder
-from vocalis_server.jobs.ledger import Ledger
-from vocalis_server.jobs.points import PointStore
-from vocalis_server.jobs.retention import Limits, Retention
-from vocalis_server.jobs.store import JobStore
-from vocalis_server.jobs.sweep_work import InFlight, SweepWork
-from vocalis_server.jobs.work import Work
+from vocalis.server.jobs.archive import Archive
+from vocalis.server.jobs.database import Database
+from vocalis.server.jobs.events import EventLog
+from vocalis.server.jobs.folder import Folder
+from vocalis.server.jobs.points import PointStore
+from vocalis.server.jobs.recorder import Ledger
+from vocalis.server.jobs.retention import Limits, Retention
+from vocalis.server.jobs.service import Desk
+from vocalis.server.jobs.store import JobStore
+from vocalis.server.jobs.sweep_work import InFlight, SweepWork
+from vocalis.server.jobs.work import Work
 
 
 class IdleEngine:

@@ -14,8 +14,8 @@ from schemathesis.specs.openapi.checks import (
 )
 
 from tests.server.live_server import SHORT, finish, run, serving
-from vocalis_server.app import create_app
-from vocalis_server.settings import Settings
+from vocalis.server.app import create_app
+from vocalis.server.settings import Settings
 
 CHECKS = [
     not_a_server_error,

@@ -11,10 +11,10 @@ from tempfile import TemporaryDirectory
 import httpx
 import uvicorn
 
-from vocalis_server.app import create_app
-from vocalis_server.live.handover import HandsOver
-from vocalis_server.services import Services
-from vocalis_server.settings import Settings
+from vocalis.server.app import create_app
+from vocalis.server.live.handover import HandsOver
+from vocalis.server.services import Services
+from vocalis.server.settings import Settings
 
 SHORT = {"run": {"duration_s": 0.1}}
 #: The paper's step for a minute: over half a minute of work, so that a test can act while it runs.

@@ -11,13 +11,13 @@ from hypothesis.stateful import Bundle, RuleBasedStateMachine, initialize, invar
 
 import vfcore
 from tests.server.desk_harness import Shop
-from vfcore.content import canonical
 from vfcore.errors import ParameterError
-from vfcore.request import simulation_from_dict
-from vfcore.sweep import sweep_from_dict, sweep_to_dict
-from vfcore.sweep.row import Row, columns
-from vocalis_server.jobs.model import ACTIVE, TRANSITIONS, NoSuchJob, Status
-from vocalis_server.jobs.sweep_work import SweepWork
+from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
+from vfcore.runs.sweep.row import Row, columns
+from vfcore.spec.address import canonical
+from vfcore.spec.document import simulation_from_dict
+from vocalis.server.jobs.model import ACTIVE, TRANSITIONS, NoSuchJob, Status
+from vocalis.server.jobs.sweep_work import SweepWork
 
 RUNS = [canonical(simulation_from_dict({"vowel": vowel, "run": {"duration_s": 0.02}})) for vowel in "ai"]
 SWEEPS = [
@@ -111,7 +111,7 @@ class Jobs(RuleBasedStateMachine):
             if dies and len(task.positions) == 1:
                 self.shop.ledger.gave_up(task, "its worker died")
             else:
-                self.shop.ledger.computed(task, [row_of(work.sweep.document(k)) for k in task.positions])
+                self.shop.ledger.computed(task, [row_of(work.sweep.computation(k)) for k in task.positions])
                 self.computed |= set(task.addresses)
             self.shop.engine.in_flight.release(task.addresses)
         if work.is_complete:

@@ -4,7 +4,7 @@ import httpx
 import pytest
 
 from tests.server.live_server import SHORT, run, serving
-from vocalis_server.access import access_for, host_name, is_loopback
+from vocalis.server.http.access import access_for, host_name, is_loopback
 
 TOKEN = "a token of this test"
 BEARER = {"Authorization": f"Bearer {TOKEN}"}

@@ -8,11 +8,13 @@ import pytest
 
 import vfcore
 from tests.server.live_server import SHORT
-from vfcore.acoustics.resonances import closed_glottis_formants
-from vfcore.acoustics.tract import vowel_tract
-from vfcore.request import numeric_paths, simulation_from_dict
-from vfcore.result import ARRAYS
-from vfcore.simulate import prepare
+from vfcore.airways.coupled import tract_of
+from vfcore.airways.resonances import closed_glottis_formants
+from vfcore.airways.tract import vowel_tract
+from vfcore.runs.one import prepare
+from vfcore.runs.result import ARRAYS
+from vfcore.spec.document import numeric_paths, simulation_from_dict
+from vfcore.spec.variants import VARIANTS
 
 OCTETS = {"Accept": "application/octet-stream"}
 
@@ -150,3 +152,49 @@ def test_the_tract_is_the_one_the_voice_goes_through(client):
     faster = client.get("/tract/i", params={"c_a_m_s": 420}).json()
     assert faster["formants"][1]["frequency_hz"] == pytest.approx(1.2 * answer["formants"][1]["frequency_hz"], rel=0.01)
     assert client.get("/tract/y").status_code == 422
+
+
+def test_a_tract_is_the_one_that_is_heard(client):
+    """Under every variant, vowel and air: the tract that a run of the same settings is heard through."""
+    for variant in VARIANTS:
+        for vowel in ("a", "i"):
+            answer = client.get(f"/tract/{vowel}", params={"variant": variant, "c_a_m_s": 340}).json()
+            document = {"vowel": vowel, "model": {"variant": variant}, "constants": {"c_a_m_s": 340}}
+            heard = tract_of(simulation_from_dict(document))
+            assert (answer["section_length_m"], answer["areas_m2"]) == (heard.section_length_m, list(heard.areas_m2))
+    man, woman = (
+        client.get("/tract/a", params={"variant": v}).json()["formants"][0] for v in ("human", "human_female")
+    )
+    assert woman["frequency_hz"] > 1.1 * man["frequency_hz"]
+
+
+def test_a_variant_brings_its_coupling_over_http(client):
+    for model, coupling in (
+        ({"variant": "human"}, "two_way"), ({"variant": "human", "coupling": "one_way"}, "one_way"), ({}, "one_way")
+    ):  # fmt: skip
+        body = {"model": model, "run": {"duration_s": 0.02}}
+        answer = client.post("/simulate", json=body).json()
+        assert answer["provenance"]["request"]["model"]["coupling"] == coupling
+
+
+def test_what_is_served_is_in_the_words_of_the_request_that_was_made(client):
+    """A voice spelled out by its constants is the variant's voice, computed once; each answer names its own request."""
+    spelled = {"model": {"coupling": "two_way"}, "constants": dict(VARIANTS["human"].overrides)}
+    run = {"run": {"duration_s": 0.02}}
+    named, by_constants = (
+        client.post("/simulate", json=body | run).json() for body in ({"model": {"variant": "human"}}, spelled)
+    )
+    assert named["id"] == by_constants["id"] and named["measures"] == by_constants["measures"]
+    assert named["provenance"]["created"] == by_constants["provenance"]["created"], "computed once"
+    assert named["provenance"]["request"]["model"]["variant"] == "human"
+    assert by_constants["provenance"]["request"]["constants"] == spelled["constants"]
+
+
+@pytest.mark.parametrize("part", ["activation", "model", "run", "constants"])
+@pytest.mark.parametrize("path", ["/simulate", "/posture", "/jobs", "/gestures"])
+def test_a_part_that_is_null_is_refused(client, path, part):
+    if (path, part) == ("/posture", "run"):
+        pytest.skip("a posture has no run")
+    answer = client.post(path, json={part: None})
+    assert answer.status_code == 422 and [error["path"] for error in answer.json()["errors"]] == [part]
+    assert client.post("/posture", json={"posture": None}).status_code == 200

@@ -6,8 +6,8 @@ import wave
 import numpy as np
 import pytest
 
-from vfcore.gesture.gesture import gesture_from_dict
-from vfcore.gesture.render import render
+from vfcore.runs.gesture.gesture import gesture_from_dict
+from vfcore.runs.gesture.render import render
 
 GLIDE = {"activation": {"ct": [[0.1, 0.1], [0.5, 0.9]]}, "vowel": [[0, "a"], [0.4, "i"]], "run": {"duration_s": 0.8}}
 

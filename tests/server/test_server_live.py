@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from tests.server.live_client import Heard, voice
-from vfcore.audio import FULL_SCALE_PA
-from vfcore.gesture.gesture import gesture_from_dict
-from vfcore.gesture.render import render
+from vfcore.io.audio import FULL_SCALE_PA
+from vfcore.runs.gesture.gesture import gesture_from_dict
+from vfcore.runs.gesture.render import render
 
 
 def test_blocks_come_in_order_in_real_time_and_sound(stage):

@@ -6,7 +6,7 @@ import pytest
 from websockets.frames import Close, Frame, Opcode
 from websockets.protocol import Protocol, Side
 
-from vocalis_server.live.client import LARGEST_FRAME, Client, Left
+from vocalis.server.live.client import LARGEST_FRAME, Client, Left
 
 
 @pytest.fixture

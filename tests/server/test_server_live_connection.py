@@ -11,7 +11,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from tests.server.live_client import Heard, voice
 from tests.server.live_server import serving, wait_until
-from vocalis_server.live import handover
+from vocalis.server.live import handover
 
 
 def test_one_voice_too_many_is_refused_politely_and_a_vanished_client_makes_room(stage):

@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from vocalis_server.live.pace import AT_REST, EARLY_S, PAUSE_S, Pace
+from vocalis.server.live.pace import AT_REST, EARLY_S, PAUSE_S, Pace
 
 BLOCK_S = 0.01
 

@@ -6,11 +6,11 @@ import sys
 PLAY = """
 import gc
 from numba.core.registry import CPUDispatcher
-from vocalis_server.live.rehearsal import rehearse
-from vfcore.gesture.voice import Voice
-from vfcore.params import Activation, Simulation
-from vocalis_server.live.shown import Shown
-from vocalis_server.live.strobe import Strobe
+from vocalis.server.warmup.live import rehearse
+from vfcore.runs.gesture.voice import Voice
+from vfcore.spec.simulation import Activation, Simulation
+from vocalis.server.live.shown import Shown
+from vocalis.server.live.strobe import Strobe
 
 def compiled():
     return sum(len(found.overloads) for found in gc.get_objects() if isinstance(found, CPUDispatcher))

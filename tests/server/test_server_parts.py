@@ -7,14 +7,14 @@ from pathlib import Path
 
 import pytest
 
-import vocalis_server
-from vfcore.simulate import simulate
-from vocalis_server.jobs.events import DONE, PROGRESS, EventLog
-from vocalis_server.jobs.interactive import ClientLeft, Interactive, Overtaken
-from vocalis_server.jobs.model import TRANSITIONS, IllegalTransition, Job, Status
-from vocalis_server.kernels import Kernels
-from vocalis_server.problems import OTHER, TABLE, NotReady, kind_of
-from vocalis_server.voices import IRREGULAR, PERIODIC
+import vocalis.server
+from vfcore.runs.one import simulate
+from vocalis.server.http.problems import OTHER, TABLE, NotReady, kind_of
+from vocalis.server.jobs.events import DONE, PROGRESS, EventLog
+from vocalis.server.jobs.interactive import ClientLeft, Interactive, Overtaken
+from vocalis.server.jobs.model import TRANSITIONS, IllegalTransition, Job, Status
+from vocalis.server.warmup.requests import IRREGULAR, PERIODIC
+from vocalis.server.warmup.state import Kernels
 
 
 def job(status: Status) -> Job:
@@ -132,7 +132,7 @@ def test_calls_are_told_why_there_will_be_no_kernels(monkeypatch):
     def broken(*_):
         raise OSError("no space left for compiled code")
 
-    monkeypatch.setattr("vocalis_server.kernels.simulate", broken)
+    monkeypatch.setattr("vocalis.server.warmup.state.simulate", broken)
     kernels = Kernels()
     kernels.compile()
     assert not kernels.ready
@@ -166,7 +166,7 @@ def test_a_reader_that_missed_too_much_is_not_given_a_gap():
 
 
 def test_the_job_room_knows_nothing_of_the_web():
-    folder = Path(vocalis_server.__file__).parent / "jobs"
+    folder = Path(vocalis.server.__file__).parent / "jobs"
     for path in folder.glob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
             names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []

@@ -24,7 +24,7 @@ from tests.server.live_server import LONG, events, run, wait_until
 def started(*options: str, **environment: str):
     """A server process and the lines it has printed so far."""
     process = subprocess.Popen(
-        [sys.executable, "-m", "vocalis_server", "--port", "0", *options],
+        [sys.executable, "-m", "vocalis.server", "--port", "0", *options],
         env=os.environ | environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
     )  # fmt: skip
     lines: list[str] = []
@@ -86,7 +86,7 @@ def test_a_port_in_use_is_one_clear_line():
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = str(taken.getsockname()[1])
         ended = subprocess.run(
-            [sys.executable, "-m", "vocalis_server", "--port", port], capture_output=True, text=True, timeout=60
+            [sys.executable, "-m", "vocalis.server", "--port", port], capture_output=True, text=True, timeout=60
         )
     assert ended.returncode != 0
     assert re.fullmatch(rf"vocalis: cannot listen on 127\.0\.0\.1:{port}: .+\n", ended.stderr)
@@ -101,7 +101,7 @@ def test_a_port_in_use_is_one_clear_line():
     ],
 )
 def test_settings_that_cannot_be_used_are_one_clear_line(options, variables, said):
-    command = [sys.executable, "-m", "vocalis_server", "--port", "0", *options]
+    command = [sys.executable, "-m", "vocalis.server", "--port", "0", *options]
     ended = subprocess.run(command, capture_output=True, text=True, timeout=60, env=os.environ | variables)
     assert ended.returncode != 0
     assert said in ended.stderr and ended.stderr.startswith("vocalis: ") and ended.stderr.count("\n") == 1

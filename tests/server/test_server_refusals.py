@@ -3,8 +3,8 @@
 import pytest
 
 from tests.server.live_server import LONG, SHORT, finish, run, serving, wait_until
-from vfcore.batch import static_shapes
 from vfcore.errors import PostureError
+from vfcore.runs.many import static_shapes
 
 JSON = {"Content-Type": "application/json"}
 
@@ -108,7 +108,7 @@ def test_a_larynx_without_posture_leaves_a_gap_in_its_row(client, monkeypatch):
     body = {"parameter": "constants.sigma_1_ta_pa", "values": [1e3, 2e3]}
     good = client.post("/postures", json=body).json()["answers"]
     monkeypatch.setattr(
-        "vocalis_server.routes.posture.static_shapes",
+        "vocalis.server.routes.posture.static_shapes",
         lambda wanted: [PostureError("No posture was found."), *static_shapes(wanted[1:])],
     )
     assert client.post("/postures", json=body).json()["answers"] == [None, good[1]]
@@ -185,7 +185,7 @@ def test_what_nobody_foresaw_is_a_problem_without_its_inside(client, monkeypatch
     def broken(*_):
         raise RuntimeError("a secret of the server")
 
-    monkeypatch.setattr("vocalis_server.routes.posture.prepare", broken)
+    monkeypatch.setattr("vocalis.server.routes.posture.prepare", broken)
     answer = client.post("/posture", json={})
     assert "secret" not in problem(answer, 500)["detail"]
     assert answer.headers["content-security-policy"], "an error page is protected like any other"
@@ -196,7 +196,7 @@ def test_a_larynx_without_posture_is_told_in_the_cores_words(client, monkeypatch
     def none(*_):
         raise PostureError("no root was reached from rest")
 
-    monkeypatch.setattr("vocalis_server.routes.posture.prepare", none)
+    monkeypatch.setattr("vocalis.server.routes.posture.prepare", none)
     assert problem(client.post("/posture", json={}), 422)["detail"] == "no root was reached from rest"
 
 

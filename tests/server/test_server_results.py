@@ -10,8 +10,8 @@ import xarray
 
 import vfcore
 from tests.server.live_server import finish, run
-from vfcore.request import simulation_from_dict
-from vfcore.result import ARRAYS
+from vfcore.runs.result import ARRAYS
+from vfcore.spec.document import simulation_from_dict
 
 VOICED = {"run": {"duration_s": 0.4}}
 SILENT = {"subglottal_pressure_pa": 0, "run": {"duration_s": 0.1}}

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.server.live_server import LONG, SHORT, finish, run, serving, wait_until
-from vocalis_server.jobs.engine import Engine
+from vocalis.server.jobs.scheduler import Engine
 
 MEDIUM = {"run": {"duration_s": 2, "time_step_s": 1.7857142857142857e-6}}  # some seconds of work where cores are shared
 

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from contextlib import suppress
+from dataclasses import replace
 
 import httpx
 import numpy as np
@@ -17,12 +18,15 @@ from tests.server.live_server import LONG, SHORT, events, finish, run, serving, 
 from tests.server.test_server_process import address, started
 from tests.server.test_server_refusals import problem
 from tests.server.test_sweep_jobs import LONG_SWEEP, MAP
-from vfcore.content import canonical, content_hash
-from vfcore.document import result_document
-from vfcore.files.stored import DamagedFile, load_result, save_result
-from vfcore.request import simulation_from_dict
-from vocalis_server.jobs.model import Status
-from vocalis_server.jobs.retention import Limits
+from vfcore.errors import ParameterError
+from vfcore.io.result_document import result_document
+from vfcore.io.stored import DamagedFile, load_result, save_result
+from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
+from vfcore.runs.sweep.row import columns, failed_row
+from vfcore.spec.address import canonical
+from vfcore.spec.document import simulation_from_dict
+from vocalis.server.jobs.model import ResultGone, Status
+from vocalis.server.jobs.retention import Limits
 
 
 def test_a_result_is_the_same_after_a_restart_in_every_form(tmp_path):
@@ -75,7 +79,7 @@ def test_a_folder_that_cannot_be_used_is_one_clear_line(tmp_path):
     (tmp_path / "jobs").mkdir()
     (tmp_path / "jobs" / "jobs.sqlite").write_text("something else, and long enough for a header" * 100)
     for folder in (tmp_path / "file" / "jobs", tmp_path / "jobs"):
-        command = [sys.executable, "-m", "vocalis_server", "--port", "0"]
+        command = [sys.executable, "-m", "vocalis.server", "--port", "0"]
         environment = os.environ | {"VOCALIS_JOBS_DIRECTORY": str(folder)}
         ended = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
         assert ended.returncode != 0
@@ -153,7 +157,7 @@ def test_old_jobs_and_large_results_go_and_work_under_way_stays(tmp_path):
     for vowel in "aiueo":
         job = shop.desk.submit("A", simulation(vowel=vowel))
         shop.ledger.started(job.work_id)
-        shop.ledger.finished(job.work_id, result)
+        shop.ledger.finished(job.work_id, replace(result, request=simulation_from_dict(job.request)))
         ended.append(job)
         time.sleep(0.01)
     active = shop.desk.submit("A", simulation(vowel="a"), fresh=True)
@@ -190,7 +194,7 @@ def test_a_damaged_result_is_made_again_rather_than_given(tmp_path):
     shop.ledger.started(job.work_id)
     shop.ledger.finished(job.work_id, result)
     shop.close()
-    path = tmp_path / "jobs" / "results" / f"{content_hash(simulation())}.npz"
+    path = tmp_path / "jobs" / "results" / f"{job.content}.npz"
     path.write_bytes(path.read_bytes()[:-1000])
     shop = Shop(tmp_path / "jobs")
     again = shop.desk.submit("B", simulation())
@@ -206,3 +210,43 @@ def test_what_a_server_only_began_to_write_is_cleared_away(tmp_path):
     (draft / "x.npz").write_bytes(b"half")
     Shop(tmp_path / "jobs").close()
     assert not draft.exists()
+
+
+def test_nothing_that_an_earlier_version_stored_is_served_or_gone_on_with(tmp_path, monkeypatch):
+    """Rows and results of a version with other addresses: a finished job says so, an unfinished one begins again."""
+    import vfcore.spec.address as content
+
+    sweep = sweep_to_dict(
+        sweep_from_dict({"points": [{}, {"activation.ct": 0.5}], "base": {"run": {"duration_s": 0.02}}})
+    )
+    monkeypatch.setattr(content, "ADDRESS_VERSION", "1")
+    content._digest.cache_clear()
+    shop = Shop(tmp_path / "jobs")
+    result = vfcore.simulate(simulation_from_dict(simulation()))
+    done = shop.desk.submit("A", simulation(), key="mine")
+    shop.ledger.started(done.work_id)
+    shop.ledger.finished(done.work_id, result)
+    tables = [shop.desk.submit(client, sweep) for client in "AB"]
+    work = shop.engine.work[tables[0].work_id]
+    task = work.next_task(shop.points, shop.ledger, shop.engine.in_flight)
+    shop.ledger.computed(task, [failed_row("of an old version", len(columns(work.sweep))) for _ in task.positions])
+    assert shop.desk.job(tables[0].id).n_done == 2
+    shop.close()
+    monkeypatch.undo()
+    content._digest.cache_clear()
+
+    shop = Shop(tmp_path / "jobs")
+    with pytest.raises(ResultGone, match="earlier version"):
+        shop.desk.result(shop.desk.job(done.id))
+    assert shop.archive.get(done.content) is None, "nor by its old address"
+    again = [shop.desk.job(job.id) for job in tables]
+    assert {job.work_id for job in again} != {job.work_id for job in tables}
+    assert [job.n_done for job in again] == [0, 0] and len(shop.engine.work) == 1
+    fresh = next(iter(shop.engine.work.values()))
+    assert fresh.next_task(shop.points, shop.ledger, shop.engine.in_flight).positions == [0, 1]
+    with pytest.raises(ParameterError, match="another request"):
+        shop.desk.submit("A", simulation(vowel="i"), key="mine")
+    made_again = shop.desk.submit("A", simulation(), key="mine")
+    assert made_again.id != done.id and made_again.status is Status.ACCEPTED
+    assert shop.desk.submit("A", simulation(), key="mine").id == made_again.id
+    shop.close()

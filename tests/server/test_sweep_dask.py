@@ -4,7 +4,7 @@ import pytest
 
 from tests.server.dask_cluster import scheduler, workers
 from tests.server.live_server import finish, run, serving, wait_until
-from vfcore.sweep import run_sweep, sweep_from_dict
+from vfcore.runs.sweep import run_sweep, sweep_from_dict
 
 SWEEP = {
     "kind": "sweep",
@@ -48,7 +48,7 @@ def test_a_sweep_on_a_cluster_that_loses_a_worker_is_the_local_one_bit_for_bit(c
 
 
 def test_a_worker_of_another_model_is_refused_in_words(cluster, tmp_path):
-    other = "import vfcore.sweep.task as task; task.MODEL_VERSION = 'other'"
+    other = "import vfcore.runs.sweep.task as task; task.MODEL_VERSION = 'other'"
     with (
         workers(cluster, tmp_path, 1, before=other),
         serving(dask_scheduler_address=cluster) as server,

@@ -11,7 +11,7 @@ import xarray
 import vfcore
 from tests.server.live_server import SHORT, events, finish, run, serving, wait_until
 from tests.server.test_server_refusals import problem
-from vfcore.sweep import run_sweep, sweep_from_dict
+from vfcore.runs.sweep import run_sweep, sweep_from_dict
 
 MAP = {
     "kind": "sweep",

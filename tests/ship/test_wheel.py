@@ -28,13 +28,14 @@ def wheel(tmp_path_factory) -> Path:
     return next(out.glob("vocalis-*.whl"))
 
 
-def test_the_wheel_holds_page_and_data_under_names_that_collide_with_nothing(wheel):
+def test_the_wheel_holds_page_and_data_in_two_packages(wheel):
     names = zipfile.ZipFile(wheel).namelist()
-    assert "vocalis_frontend/index.html" in names
-    assert "vocalis_frontend/vendor/preact.js" in names
-    assert "vfcore/data/story2008_area_functions.json" in names
+    assert "vocalis/frontend/index.html" in names
+    assert "vocalis/frontend/vendor/preact.js" in names
+    assert "vfcore/spec/data/story2008_area_functions.json" in names
     top = {name.split("/")[0] for name in names if not name.split("/")[0].endswith(".dist-info")}
-    assert all(name == "vfcore" or name.startswith("vocalis_") for name in top), top
+    assert top == {"vfcore", "vocalis"}
+    assert "vocalis/server/login/login.html" in names
 
 
 @pytest.mark.first

@@ -24,9 +24,9 @@ import numpy as np
 
 import vfcore
 from tests.soak.load import Load
-from vfcore.document import result_document
-from vfcore.request import simulation_from_dict
-from vfcore.sweep import run_sweep, sweep_from_dict
+from vfcore.io.result_document import result_document
+from vfcore.runs.sweep import run_sweep, sweep_from_dict
+from vfcore.spec.document import simulation_from_dict
 
 READY_S = 120
 FINISH_S = 300
@@ -67,7 +67,7 @@ class Server:
     def start(self) -> None:
         environment = os.environ | {"VOCALIS_JOBS_DIRECTORY": str(self.folder), "VOCALIS_JOBS_PER_CLIENT": "1000"}
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "vocalis_server", "--port", str(self.port)], env=environment,
+            [sys.executable, "-m", "vocalis.server", "--port", str(self.port)], env=environment,
             stdout=subprocess.DEVNULL,
         )  # fmt: skip
         deadline = time.monotonic() + READY_S

@@ -9,8 +9,8 @@ from collections.abc import Callable
 import numpy as np
 from scipy.optimize import brentq
 
-from vfcore.acoustics.airways import STEADY_BELOW_HZ, Airways
-from vfcore.acoustics.tract import Tract
+from vfcore.airways.coupled import STEADY_BELOW_HZ, Airways
+from vfcore.airways.tract import Tract
 
 
 class TubeTwin:

@@ -1,4 +1,4 @@
-"""Prestrained coefficients, a second time: written from the paper's text, without vfcore.tissue.
+"""Prestrained coefficients, a second time: written from the paper's text, without vfcore.larynx.tissue.
 
 Source: Serry, Zañartu & Peterson (2026), "Model development". Tangent moduli come from
 complex-step differentiation of the stress, not from a derivative worked out by hand.
@@ -7,7 +7,7 @@ complex-step differentiation of the stress, not from a derivative worked out by 
 import cmath
 from dataclasses import dataclass
 
-from vfcore.constants import FoldConstants
+from vfcore.spec.fold_constants import FoldConstants
 
 COMPLEX_STEP = 1e-30
 

@@ -1,7 +1,7 @@
 """The product at its own step against the plain loop at the paper's, over random postures: what a user would read off.
 
 ``python -m tests.support.equivalence 300`` prints the report (a second or two a posture). The plain loop is
-``vocalis_bench.reference``, equal to the slow twin (tests/cli/test_bench.py): semi-implicit Euler, explicit beam,
+``vocalis.bench.reference``, equal to the slow twin (tests/cli/test_bench.py): semi-implicit Euler, explicit beam,
 1.79 µs. Both waves then take the same measures. ``python -m tests.support.equivalence 300 float32`` prints the same of
 batches in single precision beside batches in double.
 """
@@ -13,12 +13,12 @@ from unittest import mock
 import numpy as np
 
 import vfcore
-from vfcore.batch import run_points
 from vfcore.errors import VocalisError
-from vfcore.march import March
+from vfcore.fold.march import March
 from vfcore.measures.catalogue import MeasureReport
-from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, Activation, Simulation
-from vocalis_bench.reference import plain_run
+from vfcore.runs.many import run_points
+from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Activation, Simulation
+from vocalis.bench.reference import plain_run
 
 #: Largest deviation allowed where both are periodic: (measure, bound, relative).
 BOUNDS = (
@@ -62,7 +62,7 @@ def random_request(rng) -> Simulation:
 
 def compare(request: Simulation) -> Comparison:
     fast = vfcore.simulate(request)
-    with mock.patch.object(sys.modules["vfcore.simulate"], "March", PlainMarch):
+    with mock.patch.object(sys.modules["vfcore.runs.one"], "March", PlainMarch):
         slow = vfcore.simulate(request)
     return deviations(fast.report, slow.report)
 

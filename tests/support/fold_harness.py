@@ -3,12 +3,12 @@
 import numpy as np
 
 from tests.support.fold_twin import FoldTwin, State
-from vfcore.assemble import Fold, assemble, beam, membrane
-from vfcore.constants import FoldConstants
+from vfcore.fold.assemble import Fold, assemble, beam, membrane
+from vfcore.fold.march import March
 from vfcore.kernels.layout import RECORD
-from vfcore.march import March
-from vfcore.params import Model, Run, Simulation
-from vfcore.tissue.coefficients import coefficients
+from vfcore.larynx.tissue.coefficients import coefficients
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.simulation import Model, Run, Simulation
 
 MODAL = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.0}
 #: Held so wide open that nothing touches and, without lung pressure, every equation is linear.

@@ -17,8 +17,8 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from tests.support.coefficient_twin import coefficients
-from vfcore.constants import FoldConstants
 from vfcore.kernels.flow import STILL_M
+from vfcore.spec.fold_constants import FoldConstants
 
 
 class State(NamedTuple):

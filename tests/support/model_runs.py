@@ -6,11 +6,11 @@ Where nothing repeats the motion is chaotic and no digit is reproducible: such a
 
 from tests.support.model_tables import table
 from tests.support.separation_twin import TWINS, measured_voice
-from vfcore.constants import FoldConstants
 from vfcore.errors import DivergenceError
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, SECTION_TRAVEL_S, Activation, Model, Run, Simulation
-from vfcore.simulate import prepare, simulate
+from vfcore.runs.one import prepare, simulate
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, SECTION_TRAVEL_S, Activation, Model, Run, Simulation
 
 PRINTED = {"speed_quotient": "1.52", "closed_quotient": "0.49"}  # by the paper, for the modal case
 SHORT = {

@@ -14,14 +14,14 @@ from importlib import import_module
 from pathlib import Path
 
 from tests.support.model_numbers import NUMBERS
-from vfcore.constants import FoldConstants
+from vfcore.fold.stability import longest_stable_step_s, time_step_s
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.params import DEFAULT_STEP_S, Run, Simulation
-from vfcore.posture.joints import JointConstants
-from vfcore.posture.muscles import Muscle
-from vfcore.posture.tables import POSTURE_SETS, SOURCES, posture_set
-from vfcore.simulate import prepare
-from vfcore.stability import longest_stable_step_s, time_step_s
+from vfcore.runs.one import prepare
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.joints import JointConstants
+from vfcore.spec.muscles import Muscle
+from vfcore.spec.posture_sets import POSTURE_SETS, SOURCES, posture_set
+from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
 
 DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "model.md"
 GRIDS = ((20, 10), (40, 10), (80, 10), (20, 20), (20, 40))

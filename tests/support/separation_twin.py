@@ -11,11 +11,11 @@ the load where the surfaces meet.
 import numpy as np
 
 from tests.support.fold_twin import Flow, FoldTwin
+from vfcore.fold.stability import time_step_s
 from vfcore.measures.catalogue import MeasureReport, measure_all
 from vfcore.measures.signals import Signals
-from vfcore.params import Simulation
-from vfcore.simulate import prepare
-from vfcore.stability import time_step_s
+from vfcore.runs.one import prepare
+from vfcore.spec.simulation import Simulation
 
 RUN_S = 0.6
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from vocalis_paper.evidence import ActivationMap, PcaSweep, StaticSeries, Voice
+from vocalis.studies.paper.evidence import ActivationMap, PcaSweep, StaticSeries, Voice
 
 LEVELS = np.linspace(0.0, 1.0, 11)
 X, Y = np.linspace(0.0, 1.0, 21), np.linspace(0.0, 1.0, 10)

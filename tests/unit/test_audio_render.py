@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from vfcore.audio import AUDIO_RATE_HZ, render
 from vfcore.errors import ParameterError
+from vfcore.io.audio import AUDIO_RATE_HZ, render
 
 DEFAULT_RATE = 35_000.000000000004  # the default step, four sections' travel
 PAPER_RATE = 560_000.0

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.io import wavfile
 
-from vfcore.audio import FULL_SCALE_PA, to_wav_bytes, write_wav
 from vfcore.errors import ParameterError
+from vfcore.io.audio import FULL_SCALE_PA, to_wav_bytes, write_wav
 
 TIME = np.arange(48_000) / 48_000
 LOUD = 150.0 * np.sin(2 * np.pi * 150 * TIME) + 40 * np.sin(2 * np.pi * 700 * TIME)

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 import vfcore
-from vfcore.batch import run_points, static_shapes
 from vfcore.errors import Cancelled, ParameterError, StabilityError
-from vfcore.march_batch import march_many
+from vfcore.fold.march_many import march_many
 from vfcore.measures import CATALOGUE
 from vfcore.measures.signals import unread
-from vfcore.request import simulation_from_dict
-from vfcore.simulate import simulate
+from vfcore.runs.many import run_points, static_shapes
+from vfcore.runs.one import simulate
+from vfcore.spec.document import simulation_from_dict
 
 COUNTS_SAMPLES = {"contact_quotient"}  # not interpolated: rounding may move it by one sample
 
@@ -58,10 +58,10 @@ def test_what_is_left_out_of_the_record_changes_no_measure(precision, monkeypatc
     postures = [vfcore.Activation(ta=0.2 * k, ct=0.1, lca=0.5, ia=0.5) for k in range(6)]
     requests = [vfcore.Simulation(activation=posture, vowel=vowel) for posture in postures for vowel in "ai"]
     asked = []
-    monkeypatch.setattr("vfcore.batch.unread", lambda *given: asked.append(unread(*given)) or asked[-1])
+    monkeypatch.setattr("vfcore.runs.many.unread", lambda *given: asked.append(unread(*given)) or asked[-1])
     shortened = list(run_points(requests, precision=precision))
     assert min(asked) > 10_000
-    monkeypatch.setattr("vfcore.batch.unread", lambda *given: 0)
+    monkeypatch.setattr("vfcore.runs.many.unread", lambda *given: 0)
     for whole, point in zip(run_points(requests, precision=precision), shortened, strict=True):
         assert point.report.state == whole.report.state
         for key, measure in whole.report.measures.items():
@@ -104,7 +104,7 @@ def test_a_flow_that_is_no_number_leaves_its_neighbours_alone(precision, monkeyp
                 outcome.flow_m3_s[-1] = np.nan
             yield index, outcome
 
-    monkeypatch.setattr("vfcore.batch.march_many", spoilt)
+    monkeypatch.setattr("vfcore.runs.many.march_many", spoilt)
     first, wrong, third = run_points(requests, precision=precision)
     assert [first, third] == [expected[0], expected[2]]
     assert wrong.problem.path == "flow_m3_s"
@@ -137,8 +137,9 @@ def test_static_shapes_of_many_are_those_of_one():
 
 
 def test_a_point_with_two_way_coupling_is_the_run_itself_among_others():
-    document = {"subglottal_pressure_pa": 700, "run": {"duration_s": 0.2}, "model": {"variant": "human"}}
-    coupled = simulation_from_dict(document | {"model": {"variant": "human", "coupling": "two_way"}})
+    document = {"subglottal_pressure_pa": 700, "run": {"duration_s": 0.2}}
+    document |= {"model": {"variant": "human", "coupling": "one_way"}}
+    coupled = simulation_from_dict(document | {"model": {"variant": "human"}})
     alone = simulate(coupled).report
     first, second, third = run_points([simulation_from_dict(document), coupled, simulation_from_dict(document)])
     assert second.report.measures == alone.measures

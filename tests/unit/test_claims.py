@@ -24,10 +24,10 @@ from tests.support.synthetic_evidence import (
     voice_of,
     wave,
 )  # fmt: skip
-from vfcore.params import PAPER_STEP_S, Simulation
-from vocalis_paper import CASES, CLAIMS, Verdict, cases, evidence
-from vocalis_paper.claim import PICTURES
-from vocalis_paper.evidence import Timing
+from vfcore.spec.simulation import PAPER_STEP_S, Simulation
+from vocalis.studies.paper import CASES, CLAIMS, Verdict, cases, evidence
+from vocalis.studies.paper.claims.claim import PICTURES
+from vocalis.studies.paper.evidence import Timing
 
 KEYS = (
     [f"S{k}" for k in range(1, 7)] + [f"M{k}" for k in range(1, 10)]

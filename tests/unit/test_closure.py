@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import vfcore
-from vfcore.closure import CLOSED_GAP_M, PATTERNS, describe_closure
-from vfcore.params import Activation, Simulation
+from vfcore.fold.closure import CLOSED_GAP_M, PATTERNS, describe_closure
+from vfcore.spec.simulation import Activation, Simulation
 
 LENGTH_M = 0.016
 X = np.linspace(0, 1, 41)

@@ -8,15 +8,15 @@ import pytest
 
 from tests.support.model_runs import RUNS, differences
 from tests.support.model_tables import DOCUMENT, TABLES, block
-from vfcore.constants import FoldConstants
+from vfcore.larynx.posture.solution import PostureSolution
+from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.params import Activation, Model, PostureOverride, Run, Simulation
-from vfcore.posture.solution import PostureSolution
-from vfcore.posture.tables import constant_names
-from vfcore.result import ARRAYS
-from vfcore.tissue.coefficients import Coefficients
-from vocalis_paper.convergence_text import convergence_tables
-from vocalis_paper.report_ship import CONVERGENCE, shipped
+from vfcore.runs.result import ARRAYS
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.posture_sets import constant_names
+from vfcore.spec.simulation import Activation, Model, PostureOverride, Run, Simulation
+from vocalis.studies.paper.convergence.text import convergence_tables
+from vocalis.studies.paper.report.ship import CONVERGENCE, shipped
 
 TEXT = DOCUMENT.read_text(encoding="utf-8")
 ROOT = Path(DOCUMENT).parents[1]

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import vfcore
-from vfcore.document import json_text, posture_document, result_document
+from vfcore.io.result_document import json_text, posture_document, result_document
 from vfcore.measures.measure import Measure
-from vfcore.params import Activation, PostureOverride, Run, Simulation
-from vfcore.request import simulation_from_dict
-from vfcore.simulate import prepare, simulate
+from vfcore.runs.one import prepare, simulate
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.simulation import Activation, PostureOverride, Run, Simulation
 
 MODAL = Simulation(run=Run(duration_s=0.3))
 SILENT = Simulation(activation=Activation(pca=1.0), subglottal_pressure_pa=50.0, run=Run(duration_s=0.1))

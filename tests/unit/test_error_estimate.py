@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import pytest
 
-from vfcore.document import result_document
-from vfcore.error_estimate import ErrorBar, Level, companion_step_s, companions, richardson
 from vfcore.errors import ParameterError
+from vfcore.io.result_document import result_document
 from vfcore.measures.catalogue import CATALOGUE, MeasureReport
 from vfcore.measures.measure import Measure
-from vfcore.params import Run, Simulation
-from vfcore.simulate import simulate
+from vfcore.runs.error_estimate import ErrorBar, Level, companion_step_s, companions, richardson
+from vfcore.runs.one import simulate
+from vfcore.spec.simulation import Run, Simulation
 
 GRIDS = ((21, 11), (31, 16), (41, 21))  # spacings 1, 2/3, 1/2 exactly
 LEVELS = [Level(nx, ny, 1e-5, "periodic") for nx, ny in GRIDS]

@@ -8,7 +8,7 @@ import pkgutil
 import pytest
 
 import vfcore
-import vocalis_server
+import vocalis.server
 from vfcore.errors import Cancelled, DivergenceError, ParameterError, StabilityError, VocalisError
 
 MADE = [
@@ -20,7 +20,7 @@ MADE = [
 
 
 def _every_kind() -> list[type[VocalisError]]:
-    for package in (vfcore, vocalis_server):
+    for package in (vfcore, vocalis.server):
         for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
             if not module.name.endswith("__main__"):
                 importlib.import_module(module.name)

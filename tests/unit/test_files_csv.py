@@ -5,10 +5,10 @@ import io
 
 import pytest
 
-from vfcore.files.csv import COLUMNS, csv_text
+from vfcore.io.csv import COLUMNS, csv_text
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.params import Activation, Run, Simulation
-from vfcore.simulate import simulate
+from vfcore.runs.one import simulate
+from vfcore.spec.simulation import Activation, Run, Simulation
 
 
 @pytest.fixture(scope="module", params=[0.0, 1.0], ids=["modal", "silent"])

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 import xarray
 
-from vfcore.files.hdf5 import Variable, write_variables
-from vfcore.files.netcdf import netcdf_bytes, request_of, write_netcdf
+from vfcore.io.hdf5 import Variable, write_variables
+from vfcore.io.netcdf import netcdf_bytes, request_of, write_netcdf
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.params import Activation, Run, Simulation
-from vfcore.request import simulation_from_dict
-from vfcore.result import ARRAYS
-from vfcore.simulate import simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.result import ARRAYS
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.simulation import Activation, Run, Simulation
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +99,7 @@ def test_a_failed_write_leaves_the_old_file_and_nothing_else(result, tmp_path, m
     def full(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("vfcore.files.netcdf.write_variables", full)
+    monkeypatch.setattr("vfcore.io.netcdf.write_variables", full)
     with pytest.raises(OSError, match="No space"):
         write_netcdf(result, path)
     assert path.read_text() == "old" and [item.name for item in tmp_path.iterdir()] == ["result.nc"]

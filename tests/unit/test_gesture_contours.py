@@ -5,7 +5,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from vfcore.gesture.contours import WINDOW_S, contour, level_db, pitch_hz
+from vfcore.runs.gesture.contours import WINDOW_S, contour, level_db, pitch_hz
 
 RATE = 35_000.0
 AREA_M2 = 10e-6

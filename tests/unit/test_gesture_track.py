@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 
 import vfcore
 from vfcore.errors import ParameterError
-from vfcore.gesture.gesture import Gesture, gesture_from_dict, gesture_to_dict
-from vfcore.gesture.track import Track
+from vfcore.runs.gesture.gesture import Gesture, gesture_from_dict, gesture_to_dict
+from vfcore.runs.gesture.track import Track
 
 
 def test_straight_lines_between_and_constant_outside():

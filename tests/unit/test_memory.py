@@ -8,9 +8,9 @@ import pytest
 # In a process of its own: what another test has freed or kept would count otherwise.
 _SCRIPT = """
 import resource
-from vfcore.batch import run_points
-from vfcore.memory import keep_freed_memory
-from vfcore.params import Simulation
+from vfcore.runs.many import run_points
+from vfcore.runs.memory import keep_freed_memory
+from vfcore.spec.simulation import Simulation
 keep_freed_memory()
 def faults():
     before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt

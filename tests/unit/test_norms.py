@@ -9,22 +9,22 @@ import numpy as np
 import pytest
 
 from tests.support.inline_pool import InlinePool
-from vfcore.constants import FoldConstants
-from vfcore.request import simulation_from_dict, simulation_to_dict
-from vfcore.simulate import posture_of
-from vfcore.variants import VARIANTS
+from vfcore.runs.one import posture_of
+from vfcore.spec.document import simulation_from_dict, simulation_to_dict
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.variants import VARIANTS
 from vfcore.version import MODEL_VERSION
-from vocalis_cli.main import main
-from vocalis_norms import calibration, factors, shortfall
-from vocalis_norms.candidate import HELD, Candidate, Reference, front
-from vocalis_norms.efforts import POSTURE, requests
-from vocalis_norms.evolution import evolve
-from vocalis_norms.norms import FIFTEEN, NORMS
-from vocalis_norms.page import tables
-from vocalis_norms.score import answer, judge, judged, score_variant
-from vocalis_norms.ship import MADE, PAGE, shipped
-from vocalis_norms.voice import flow_measures
-from vocalis_paper.report_text import filled
+from vocalis.cli.main import main
+from vocalis.studies.norms import calibration, factors, shortfall
+from vocalis.studies.norms.candidate import HELD, Candidate, Reference, front
+from vocalis.studies.norms.efforts import POSTURE, requests
+from vocalis.studies.norms.evolution import evolve
+from vocalis.studies.norms.norms import FIFTEEN, NORMS
+from vocalis.studies.norms.page import tables
+from vocalis.studies.norms.score import answer, judge, judged, score_variant
+from vocalis.studies.norms.ship import MADE, PAGE, shipped
+from vocalis.studies.norms.voice import flow_measures
+from vocalis.studies.paper.report.text import filled
 
 RATE = 35000.0
 DOCUMENTS = {name: shipped(name) for name in MADE}
@@ -211,9 +211,11 @@ def test_human_keeps_the_shapes_and_maps_that_its_coupling_leaves_the_paper():
 
 def test_docs_say_what_is_shipped_and_it_belongs_to_this_model():
     text = PAGE.read_text(encoding="utf-8")
-    assert filled(text, tables(DOCUMENTS)) == text, "run `python -m vocalis_norms.ship --text`"
+    assert filled(text, tables(DOCUMENTS)) == text, "run `python -m vocalis.studies.norms.ship --text`"
     for name, document in DOCUMENTS.items():
-        assert document["provenance"]["model_version"] == MODEL_VERSION, f"{name}: run `python -m vocalis_norms.ship`"
+        assert document["provenance"]["model_version"] == MODEL_VERSION, (
+            f"{name}: run `python -m vocalis.studies.norms.ship`"
+        )
 
 
 @pytest.mark.parametrize(

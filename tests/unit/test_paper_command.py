@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from vocalis_cli import paper
-from vocalis_cli.main import main
-from vocalis_paper import CLAIMS
-from vocalis_paper.report_ship import CONVERGENCE, shipped
+from vocalis.cli import paper
+from vocalis.cli.main import main
+from vocalis.studies.paper import CLAIMS
+from vocalis.studies.paper.report.ship import CONVERGENCE, shipped
 
 REFUSED = [
     ("--variant mine", "--variant", "paper | text_literal | human | human_female | both"),

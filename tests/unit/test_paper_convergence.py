@@ -4,13 +4,20 @@ import numpy as np
 import pytest
 
 from tests.support.inline_pool import InlinePool
-from vfcore.params import Model, Run, Simulation
-from vfcore.simulate import prepare
-from vocalis_paper import convergence
-from vocalis_paper.convergence import DIVISORS, GRIDS, VOICES, cells, convergence_document, last_changes
-from vocalis_paper.convergence_shear import mode_rates, shear_row
-from vocalis_paper.convergence_text import convergence_tables
-from vocalis_paper.run import Failure
+from vfcore.runs.one import prepare
+from vfcore.spec.simulation import Model, Run, Simulation
+from vocalis.studies.paper.convergence import refinement
+from vocalis.studies.paper.convergence.refinement import (
+    DIVISORS,
+    GRIDS,
+    VOICES,
+    cells,
+    convergence_document,
+    last_changes,
+)
+from vocalis.studies.paper.convergence.shear import mode_rates, shear_row
+from vocalis.studies.paper.convergence.text import convergence_tables
+from vocalis.studies.paper.run.gather import Failure
 
 
 def rows(fo, cq, pressure=3000.0):
@@ -45,8 +52,8 @@ def test_the_last_change_decides_and_a_voice_that_never_closes_has_no_cq_to_chan
 
 
 def test_a_run_without_an_answer_keeps_its_reason_and_meets_nothing(monkeypatch):
-    monkeypatch.setattr(convergence, "measured", lambda request: Failure("the run diverged"))
-    monkeypatch.setattr(convergence, "shear_rows", lambda pool: [])
+    monkeypatch.setattr(refinement, "measured", lambda request: Failure("the run diverged"))
+    monkeypatch.setattr(refinement, "shear_rows", lambda pool: [])
     seen = []
     document = convergence_document(InlinePool(), lambda voice, done, total: seen.append((voice, done, total)))
     assert {row["reason"] for row in document["rows"]} == {"the run diverged"}

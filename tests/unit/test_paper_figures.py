@@ -5,13 +5,13 @@ import json
 import pytest
 
 from vfcore.version import MODEL_VERSION
-from vocalis_paper import CASES, CLAIMS
-from vocalis_paper.figures import answer, figure, figure_cases
-from vocalis_paper.figures_ship import FIGURES, claims
-from vocalis_paper.report_ship import SCOREBOARD, shipped
-from vocalis_paper.run_score import definitions_hash
+from vocalis.studies.paper import CASES, CLAIMS
+from vocalis.studies.paper.figures.document import answer, figure, figure_cases
+from vocalis.studies.paper.figures.ship import FIGURES, claims
+from vocalis.studies.paper.report.ship import SCOREBOARD, shipped
+from vocalis.studies.paper.run.score import definitions_hash
 
-AGAIN = "run `python -m vocalis_paper.figures_ship`"
+AGAIN = "run `python -m vocalis.studies.paper.figures.ship`"
 MOST_BYTES = 1_000_000
 
 
@@ -27,7 +27,7 @@ def test_they_are_of_this_model_and_these_definitions(paper):
 
 
 def test_they_tell_the_verdicts_of_the_shipped_scoreboard(paper):
-    assert paper["claims"] == claims(shipped(SCOREBOARD)), "run `python -m vocalis_paper.figures_ship --claims`"
+    assert paper["claims"] == claims(shipped(SCOREBOARD)), "run `python -m vocalis.studies.paper.figures.ship --claims`"
     assert [claim["key"] for claim in paper["claims"]] == list(CLAIMS)
 
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from tests.support.synthetic_evidence import CT, HALF_SINE, TA, activation_map, series, states, sweep, voice_of, wave
-from vocalis_paper import CLAIMS
-from vocalis_paper.pictures import figure
-from vocalis_paper.pictures_map import BLANKS, blanks, measure
-from vocalis_paper.pictures_plot import Axis, Plot
-from vocalis_paper.run import Failure
+from vocalis.studies.paper import CLAIMS
+from vocalis.studies.paper.pictures.by_claim import figure
+from vocalis.studies.paper.pictures.muscle_maps import BLANKS, blanks, measure
+from vocalis.studies.paper.pictures.plot import Axis, Plot
+from vocalis.studies.paper.run.gather import Failure
 
 VOICE = voice_of(wave(), speed_quotient=1.5, closed_quotient=0.5)
 FOUND = {

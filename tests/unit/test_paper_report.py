@@ -9,16 +9,16 @@ import pytest
 
 from tests.support.synthetic_evidence import activation_map, voice_of, wave
 from tests.unit.test_paper_pictures import FOUND
-from vfcore.document import json_text
-from vfcore.params import Simulation
+from vfcore.io.result_document import json_text
+from vfcore.spec.simulation import Simulation
 from vfcore.version import MODEL_VERSION
-from vocalis_paper import CASES, CLAIMS
-from vocalis_paper.evidence import Timing
-from vocalis_paper.report import html_report
-from vocalis_paper.report_text import filled, tables
-from vocalis_paper.run import Failure, Gathered
-from vocalis_paper.run_document import Scored, scoreboard
-from vocalis_paper.run_score import definitions_hash, judge
+from vocalis.studies.paper import CASES, CLAIMS
+from vocalis.studies.paper.evidence import Timing
+from vocalis.studies.paper.report.html import html_report
+from vocalis.studies.paper.report.text import filled, tables
+from vocalis.studies.paper.run.document import Scored, scoreboard
+from vocalis.studies.paper.run.gather import Failure, Gathered
+from vocalis.studies.paper.run.score import definitions_hash, judge
 
 EVIDENCE = FOUND | {"timing": Timing(1.0, 0.5, 0.05)}
 LOST = EVIDENCE | {"pca_full": Failure("the run diverged at <t = 3 ms>. Try less.")}

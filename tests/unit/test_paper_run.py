@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from tests.support.inline_pool import InlinePool
-from vfcore.params import Simulation
-from vfcore.request import simulation_from_dict
-from vfcore.simulate import simulate
-from vocalis_paper import CASES, CLAIMS, Verdict
-from vocalis_paper.cases import Axis
-from vocalis_paper.run import Failure, gather, gather_here, workers
-from vocalis_paper.run_score import cases_for, definitions_hash, judge, score
+from vfcore.runs.one import simulate
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.simulation import Simulation
+from vocalis.studies.paper import CASES, CLAIMS, Verdict
+from vocalis.studies.paper.cases import Axis
+from vocalis.studies.paper.run.gather import Failure, gather, gather_here, workers
+from vocalis.studies.paper.run.score import cases_for, definitions_hash, judge, score
 
 TOO_LONG_A_STEP = simulation_from_dict({"run": {"time_step_s": 1e-3}})
 NO_TENSION = simulation_from_dict({"constants": {"sigma_1_muc_pa": 0, "sigma_2_muc_pa": 0}})
@@ -115,10 +115,11 @@ def test_worker_processes_give_what_one_process_gives():
 
 
 def test_the_hash_follows_the_definitions_and_nothing_else(tmp_path):
-    (tmp_path / "claims_static.py").write_text("LIMIT = 1\n")
+    (tmp_path / "claims").mkdir()
+    (tmp_path / "claims/static.py").write_text("LIMIT = 1\n")
     (tmp_path / "report.py").write_text("")
     before = definitions_hash(tmp_path)
     (tmp_path / "report.py").write_text("TITLE = 1\n")
     assert definitions_hash(tmp_path) == before
-    (tmp_path / "claims_static.py").write_text("LIMIT = 2\n")
+    (tmp_path / "claims/static.py").write_text("LIMIT = 2\n")
     assert definitions_hash(tmp_path) != before

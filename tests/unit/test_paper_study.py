@@ -5,18 +5,18 @@ from dataclasses import replace
 import pytest
 
 from tests.support.inline_pool import InlinePool
-from vfcore.params import Activation, Simulation
-from vfcore.posture.tables import posture_set
-from vfcore.request import simulation_from_dict
-from vfcore.simulate import prepare
-from vocalis_paper import study
-from vocalis_paper.cases import CASES
-from vocalis_paper.claim import Outcome, Verdict
-from vocalis_paper.run import Gathered, gather
-from vocalis_paper.study import changes, promising, study_document
-from vocalis_paper.study_choices import CHOICES, DEFAULT, DESIGNED, Choice, both
-from vocalis_paper.study_fold import with_reported_alpha
-from vocalis_paper.study_text import study_markdown
+from vfcore.runs.one import prepare
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.posture_sets import posture_set
+from vfcore.spec.simulation import Activation, Simulation
+from vocalis.studies.paper.cases import CASES
+from vocalis.studies.paper.claims.claim import Outcome, Verdict
+from vocalis.studies.paper.run.gather import Gathered, gather
+from vocalis.studies.paper.study import designed
+from vocalis.studies.paper.study.choices import CHOICES, DEFAULT, DESIGNED, Choice, both
+from vocalis.studies.paper.study.designed import changes, promising, study_document
+from vocalis.studies.paper.study.fold import with_reported_alpha
+from vocalis.studies.paper.study.text import study_markdown
 
 
 def row(name, **verdicts):
@@ -73,9 +73,9 @@ def test_the_study_runs_default_choices_and_pairs_on_coarse_maps(monkeypatch):
         moved = asked[-1][0].vowel != "a" or asked[-1][2] != "spl_lips_db"
         return {key: Outcome(Verdict.PASS if moved else Verdict.FAIL, (), "") for key in claims}
 
-    monkeypatch.setattr(study, "gather", gathered)
-    monkeypatch.setattr(study, "judge", judged)
-    monkeypatch.setattr(study, "warm_up", lambda request: None)
+    monkeypatch.setattr(designed, "gather", gathered)
+    monkeypatch.setattr(designed, "judge", judged)
+    monkeypatch.setattr(designed, "warm_up", lambda request: None)
     document = study_document(InlinePool())
     names = [one["choice"] for one in document["rows"]]
     assert names[0] == DEFAULT.name and names[len(CHOICES) + 1].startswith("level at 30 cm + vowel")

@@ -5,10 +5,11 @@ import math
 
 import pytest
 
-from vfcore.constants import FoldConstants
 from vfcore.errors import ParameterError, VocalisError
-from vfcore.fields import check_number
-from vfcore.params import (
+from vfcore.spec.fields import check_number
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.posture_sets import POSTURE_SETS
+from vfcore.spec.simulation import (
     COUPLING_GRADIENTS,
     DEFAULT_STEP_S,
     GRID_LIMITS,
@@ -23,7 +24,6 @@ from vfcore.params import (
     Run,
     Simulation,
 )
-from vfcore.posture.tables import POSTURE_SETS
 
 BOXES = [(Activation, "activation."), (PostureOverride, "posture."), (FoldConstants, "constants.")]
 NUMBERS = [

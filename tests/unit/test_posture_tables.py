@@ -5,14 +5,14 @@ from dataclasses import fields
 import numpy as np
 import pytest
 
-from vfcore.constants import FoldConstants
 from vfcore.errors import ParameterError
 from vfcore.kernels import posture_equations as kernel
-from vfcore.posture.equilibrium import solve_posture_batch
-from vfcore.posture.joints import JointConstants
-from vfcore.posture.muscles import Muscle
-from vfcore.posture.packing import MUSCLE_ORDER, load_scale, pack
-from vfcore.posture.tables import POSTURE_SETS, constant_names, posture_set
+from vfcore.larynx.posture.equilibrium import solve_posture_batch
+from vfcore.larynx.posture.packing import MUSCLE_ORDER, load_scale, pack
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.joints import JointConstants
+from vfcore.spec.muscles import Muscle
+from vfcore.spec.posture_sets import POSTURE_SETS, constant_names, posture_set
 
 
 def value(constants, name):

@@ -6,10 +6,10 @@ import math
 import pytest
 
 from vfcore.errors import ParameterError
-from vfcore.params import Activation, Model, PostureOverride, Run, Simulation
-from vfcore.presets import PRESETS
-from vfcore.request import numeric_paths, simulation_from_dict, simulation_to_dict
-from vfcore.schema import parameter_schema
+from vfcore.spec.document import numeric_paths, simulation_from_dict, simulation_to_dict
+from vfcore.spec.presets import PRESETS
+from vfcore.spec.schema import parameter_schema
+from vfcore.spec.simulation import Activation, Model, PostureOverride, Run, Simulation
 
 ROWS = parameter_schema()
 NUMBERS = [row for row in ROWS if row["type"] not in ("choice", "boolean")]

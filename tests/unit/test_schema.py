@@ -4,13 +4,13 @@ import dataclasses
 
 import pytest
 
-from vfcore.constants import FoldConstants
-from vfcore.document import json_text
-from vfcore.params import VARIANTS, VOWELS, Simulation
-from vfcore.posture.tables import POSTURE_SETS, posture_set
-from vfcore.presets import PRESETS
-from vfcore.request import simulation_from_dict, simulation_to_dict
-from vfcore.schema import GROUPS, parameter_catalogue, parameter_schema, sensible_step
+from vfcore.io.result_document import json_text
+from vfcore.spec.document import simulation_from_dict, simulation_to_dict
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
+from vfcore.spec.presets import PRESETS
+from vfcore.spec.schema import GROUPS, parameter_catalogue, parameter_schema, sensible_step
+from vfcore.spec.simulation import BROUGHT_BY_VARIANT, VARIANTS, VOWELS, Simulation
 
 ROWS = {row["key"]: row for row in parameter_schema()}
 
@@ -26,7 +26,11 @@ def leaves(document, prefix=""):
 def test_every_field_of_a_request_has_a_row_with_its_default():
     document = simulation_to_dict(Simulation())
     fields = {key: value for key, value in leaves(document) if key not in ("kind", "posture")}
-    assert fields == {key: ROWS[key]["default"] for key in fields}
+    brought = {f"model.{name}" for name in BROUGHT_BY_VARIANT}
+    assert {key: value for key, value in fields.items() if key not in brought} == {
+        key: ROWS[key]["default"] for key in fields if key not in brought
+    }
+    assert all(ROWS[key]["default"] is None and ROWS[key]["nullable"] for key in brought), "the variant's own"
     assert {key for key in ROWS if not key.startswith(("constants.", "posture."))} == set(fields)
 
 

@@ -4,12 +4,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vfcore.content import canonical, content_hash
 from vfcore.errors import ParameterError
-from vfcore.params import Simulation
-from vfcore.request import numeric_paths
-from vfcore.sweep import sweep_from_dict, sweep_to_dict
-from vfcore.sweep.paths import numbers
+from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
+from vfcore.runs.sweep.paths import numbers
+from vfcore.spec.document import numeric_paths
 
 CT = {"parameter": "activation.ct", "values": [0, 0.5, 1]}
 
@@ -85,26 +83,6 @@ def values_of(path: str):
 overrides = st.lists(st.sampled_from(numeric_paths()), min_size=1, max_size=4, unique=True).flatmap(
     lambda paths: st.fixed_dictionaries({path: values_of(path) for path in paths})
 )
-bases = st.sampled_from(
-    [
-        {},
-        {"model": {"variant": "text_literal", "posture_set": "titze2006"}},
-        {"posture": {"strain": 0.1}, "constants": {"K_col_pa_m": 2e6, "LCA_rest_length_m": 0.0144}},
-    ]
-)
-
-
-@given(bases, overrides)
-def test_the_address_of_a_point_is_that_of_its_own_request(base, point):
-    """The quick way from a position to an address says what the long way through the request says."""
-    sweep = sweep_from_dict({"base": base, "points": [point]})
-    try:
-        request = sweep.request(0)
-    except ParameterError:
-        return  # numbers that do not go together: the point will carry the reason
-    assert isinstance(request, Simulation)
-    assert sweep.document(0) == canonical(request)
-    assert sweep.address(0) == content_hash([canonical(request), "float64", None])
 
 
 @given(overrides)

@@ -12,15 +12,15 @@ import pytest
 import xarray
 
 import vfcore
-from vfcore.batch import run_points
 from vfcore.errors import Cancelled, ParameterError
 from vfcore.kernels.layout import LANES
-from vfcore.sweep import SweepTable, run_sweep, sweep_from_dict
-from vfcore.sweep.cost import Portions
-from vfcore.sweep.dataset import dataset
-from vfcore.sweep.files import write_csv, write_netcdf
-from vfcore.sweep.journal import Journal
-from vfcore.sweep.row import decode, encode
+from vfcore.runs.many import run_points
+from vfcore.runs.sweep import SweepTable, run_sweep, sweep_from_dict
+from vfcore.runs.sweep.cost import Portions
+from vfcore.runs.sweep.dataset import dataset
+from vfcore.runs.sweep.files import write_csv, write_netcdf
+from vfcore.runs.sweep.journal import Journal
+from vfcore.runs.sweep.row import decode, encode
 
 SHORT = {"run": {"duration_s": 0.2}}
 CT = {"parameter": "activation.ct", "values": [0.1, 0.5]}
@@ -121,7 +121,7 @@ def test_a_selection_keeps_only_that(tmp_path):
 
 def test_a_row_reads_back_and_damage_is_noticed(table):
     sweep = table.sweep
-    from vfcore.sweep.task import run_task
+    from vfcore.runs.sweep.task import run_task
 
     (row,) = run_task(sweep.part([0]), vfcore.MODEL_VERSION).rows
     again = decode(encode(row))
@@ -158,8 +158,8 @@ def test_a_journal_of_something_else_is_refused(tmp_path):
 
 
 _DIES = """
-import os, sys, vfcore.batch, vfcore.sweep.task as task
-from vfcore.sweep import run_sweep, sweep_from_dict
+import os, sys, vfcore.runs.many, vfcore.runs.sweep.task as task
+from vfcore.runs.sweep import run_sweep, sweep_from_dict
 if __name__ == "__main__":
     points = [{"activation.ct": k / 16} for k in range(16)]
     sweep = sweep_from_dict({"base": {"run": {"duration_s": 0.2}}, "points": points})
@@ -186,7 +186,7 @@ def test_a_point_that_kills_its_worker_twice_fails_alone(tmp_path):
 def test_workers_end_with_a_parent_that_is_killed(tmp_path):
     script = tmp_path / "long.py"
     script.write_text(
-        "from vfcore.sweep import run_sweep, sweep_from_dict\n"
+        "from vfcore.runs.sweep import run_sweep, sweep_from_dict\n"
         "if __name__ == '__main__':\n"
         "    run_sweep(sweep_from_dict({'points': [{'activation.ct': k / 5000} for k in range(5000)]}), 2,\n"
         "              progress=lambda done, *_: print(done, flush=True))\n"

@@ -23,7 +23,7 @@ airways, τ each; y and φ go in a straight line from the step before to this on
 Passive: the tubes lose energy, and the glottis takes Q Δp ≥ 0.
 
 The loss of a crossing does not depend on frequency. That suits formants, but at 0 Hz it is a flow resistance R_0 of
-some 0.5 kPa per L/s in each airway, far above the true one R (vfcore.acoustics.airways). So the excess R_e = R_0 − R
+some 0.5 kPa per L/s in each airway, far above the true one R (vfcore.airways.coupled). So the excess R_e = R_0 − R
 acts on all but the slow part of the flow:  p_s + R_e,s Q̂,  p_v − R_e,v Q̂,  T dQ̂/dt = Q − Q̂.
 
 Not modelled: inertia of the air between the folds, the volume they displace, recovery of pressure behind the jet.
@@ -33,7 +33,7 @@ Not validated against measured pressures.
 import math
 
 from vfcore.kernels.jit import jit
-from vfcore.kernels.lanes import load, store
+from vfcore.kernels.simd import load, store
 
 # Header of the airways' buffer: numbers that are fixed, then those that move. Sections and waves follow it.
 (
@@ -94,7 +94,7 @@ def wave_step(air, away, back, next_away, next_back, transmission, reflection, l
 def advance_airways(air, P_s, conductance, viscous):
     """Advance both airways to the end of a step of the fold, where the glottis has the given law.
 
-    ``air``: buffer of vfcore.acoustics.airways. Leaves FLOW, INLET, OUTLET, DROP of the last airway step in it.
+    ``air``: buffer of vfcore.airways.coupled. Leaves FLOW, INLET, OUTLET, DROP of the last airway step in it.
     """
     m, n_s, n_v = int(air[SUBSTEPS]), int(air[SECTIONS_S]), int(air[SECTIONS_V])
     Z_s, Z_v = air[IMPEDANCE_S], air[IMPEDANCE_V]

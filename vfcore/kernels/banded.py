@@ -1,7 +1,7 @@
 """A symmetric matrix with two diagonals on either side, as the beam's implicit one: factors and inverse.
 
 M = L D Lᵀ, with two diagonals in L. The diagonal of M varies, what stands beside it is ``first`` and ``second``
-everywhere (the end moments change the corners of the beam's only, vfcore/tissue/beam.py):
+everywhere (the end moments change the corners of the beam's only, vfcore/larynx/tissue/beam.py):
 
     D_i = m_ii − a_i² D_{i−1} − c_i² D_{i−2},   c_i = second/D_{i−2},   a_i = (first − c_i D_{i−2} a_{i−1})/D_{i−1}
 

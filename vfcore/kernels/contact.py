@@ -6,7 +6,7 @@ The damper may pull (p_col < 0) while the folds separate; the paper keeps that o
 """
 
 from vfcore.kernels.jit import jit
-from vfcore.kernels.lanes import where
+from vfcore.kernels.simd import where
 
 
 @jit

@@ -41,7 +41,7 @@ not attached, and attached nodes their own.
 """
 
 from vfcore.kernels.jit import jit
-from vfcore.kernels.lanes import maximum, minimum, multiply_add, square_root, where
+from vfcore.kernels.simd import maximum, minimum, multiply_add, square_root, where
 
 # A reciprocal needs a gap above zero, and its cube must fit single precision. 10 pm is four orders below any gap that
 # passes flow.

@@ -24,7 +24,7 @@ The air pressure at the first contact of a slice jumps as it closes or opens: it
 Columns go through three phases, BLOCK groups of them at a time: gaps, flux, forces. The flux is one long chain (√, ÷)
 from the last gap on, during which a processor would idle: the chains of a block run side by side.
 
-Order 2 in dt, dx, dy. Stability: vfcore/stability.py. Boundary slices x = 0, L count by the
+Order 2 in dt, dx, dy. Stability: vfcore/fold/stability.py. Boundary slices x = 0, L count by the
 trapezoid rule in area and flow.
 """
 
@@ -34,8 +34,8 @@ from functools import lru_cache
 from vfcore.kernels import airways, contact, flow, membrane
 from vfcore.kernels.displacement import displaced
 from vfcore.kernels.jit import inlined
-from vfcore.kernels.lanes import all_of, each, lane, load, maximum, minimum, spread, store, total, where
 from vfcore.kernels.layout import LANES, RECORD, Layout
+from vfcore.kernels.simd import all_of, each, lane, load, maximum, minimum, spread, store, total, where
 
 touching, contact_pressure = contact.touching, contact.contact_pressure
 above_zero, reciprocals, opening = flow.above_zero, flow.reciprocals, flow.opening

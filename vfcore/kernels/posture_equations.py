@@ -27,14 +27,14 @@ from vfcore.kernels.jit import inlined
 
 # Rows of ``muscles``; the first five are also the order of an activation vector.
 TA, CT, LCA, IA, PCA, LIG, MUC = range(7)
-# Columns of ``muscles``: the fields of vfcore.posture.muscles.Muscle.
+# Columns of ``muscles``: the fields of vfcore.spec.muscles.Muscle.
 LENGTH, SECTION, EPS_M, WIDTH, ALPHA, BETA, GAMMA, SIGMA_0, SIGMA_2, EPS_1, EPS_2, RATE, SIGMA_MAX = range(13)
 
 LARGEST_EXPONENT = 100.0  # far above any tissue strain: keeps a wild trial step finite
 
 
 class Joints(NamedTuple):
-    """Joint constants as plain floats, SI; names of vfcore.posture.joints.JointConstants."""
+    """Joint constants as plain floats, SI; names of vfcore.spec.joints.JointConstants."""
 
     L_0_posture_m: float
     adductor_strain_gain: float

@@ -5,8 +5,8 @@ Engineering stress of layer i (paper, constitutive relations), Pa of resting are
     passive    σ_p(ε) = −(σ_1/ε_1)(ε − ε_1)  +  [ε ≥ ε_2] σ_2 ( exp(α_1(ε − ε_2)) − 1 − α_1(ε − ε_2) )
     active     σ_a(ε) = a σ_a,max · max(0, 1 − α_2 (ε − ε_m)²),   TA only
 
-The other equations and their sources: vfcore/tissue/coefficients.py and beam.py, which name the numbers and refuse what
-means nothing; vfcore/stability.py for the step. ``c`` is anything with the names of FoldConstants.
+The other equations and their sources: vfcore/larynx/tissue/coefficients.py and beam.py, which name the numbers and
+refuse what means nothing; vfcore/fold/stability.py for the step. ``c`` is anything with the names of FoldConstants.
 Python and compiled code read the same lines (``formula``); compiled, results differ by rounding.
 """
 
@@ -17,7 +17,9 @@ from vfcore.kernels.jit import formula
 
 
 class Constants(NamedTuple):
-    """The constants of the fold that these formulas take, names and units of vfcore.constants.FoldConstants."""
+    """The constants of the fold that these formulas take, names and units of
+    vfcore.spec.fold_constants.FoldConstants.
+    """
 
     L_0_m: float
     b_0_m: float
@@ -178,7 +180,7 @@ def step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c):
 
 @formula
 def longest_step(rotation, dx, dy, T, G_t, eta_t, rho_s, J, b, rho_l, K_coup, c):
-    """The step at which the first mode would grow, s: the bound of vfcore/stability.py without its margin.
+    """The step at which the first mode would grow, s: the bound of vfcore/fold/stability.py without its margin.
 
     ``K_coup``: the stiffest coupling, Pa/m.
     """

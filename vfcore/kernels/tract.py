@@ -22,7 +22,7 @@ Then every junction scatters. Continuity of pressure and flow between tubes i an
     f'_0     = B_0 + Z_0 Q_g                            (paper: P_e⁺ = P_e⁻ + ρ_a c_a Q_g/A_e)
 
 The lip end is a one-pole reflection, in transposed direct form with one stored number m (coefficients β_0, β_1,
-a_1 from ``vfcore.acoustics.tract``, which derives them from the radiation impedance):
+a_1 from ``vfcore.airways.tract``, which derives them from the radiation impedance):
 
     b'_{N−1} = β_0 F_{N−1} + m,     m' = β_1 F_{N−1} − a_1 b'_{N−1}
     p_lip = F_{N−1} + b'_{N−1},     u_mouth = (F_{N−1} − b'_{N−1})/Z_{N−1}

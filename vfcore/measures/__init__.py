@@ -2,8 +2,8 @@
 
 from vfcore.measures.catalogue import CATALOGUE, Catalogue, MeasureReport, measure_all
 from vfcore.measures.measure import Measure
+from vfcore.measures.measure_spec import MeasureSpec, NormalRange
 from vfcore.measures.signals import Signals
-from vfcore.measures.spec import MeasureSpec, NormalRange
 
 __all__ = [
     "CATALOGUE",

@@ -6,10 +6,10 @@ from dataclasses import dataclass, fields
 from vfcore.errors import ParameterError
 from vfcore.measures.analysis import Analysis
 from vfcore.measures.measure import Measure
+from vfcore.measures.measure_spec import MeasureSpec
 from vfcore.measures.pitch import Autocorrelation
 from vfcore.measures.rows import ROWS
 from vfcore.measures.signals import Signals, Sound
-from vfcore.measures.spec import MeasureSpec
 
 
 class Catalogue:

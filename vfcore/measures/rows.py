@@ -9,8 +9,8 @@ from vfcore.measures import contact, flow, glottis, level, perturbation, spectru
 from vfcore.measures.analysis import Analysis
 from vfcore.measures.cycles import CLOSED_FRACTION
 from vfcore.measures.measure import Missing
+from vfcore.measures.measure_spec import MeasureSpec, Needs, NormalRange
 from vfcore.measures.pitch import HIGHEST_RATE_HZ, LOWEST_RATE_HZ
-from vfcore.measures.spec import MeasureSpec, Needs, NormalRange
 
 AREA = "minimum glottal area A_g,min(t)"
 FLOW = "glottal flow Q_g(t)"

@@ -25,7 +25,7 @@ export function wavesCsv(result) {
 /** A Python script that computes the voice of `request`, a request document. Pure. */
 export function pythonCode(request) {
   return `import vfcore
-from vfcore.request import simulation_from_dict
+from vfcore.spec.document import simulation_from_dict
 
 request = ${pythonLiteral(request)}
 result = vfcore.simulate(simulation_from_dict(request))

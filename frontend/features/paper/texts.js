@@ -41,7 +41,7 @@ export const PAPER = {
   columns: { opening: "Opening, from above", aero: "Aerodynamic pressure", contact: "Contact pressure" },
   narrowColumns: { opening: "Opening", aero: "Air pressure", contact: "Contact" },
   reach: (mm) =>
-    `Openings share one scale: at most ${mm} mm from the midline. Anterior left; pressures: superior edge at the top.`,
+    `Openings at one scale, up to ${mm} mm from the midline. Anterior left; pressures: superior edge at top.`,
   measures: {
     fo_hz: { name: "Fundamental frequency", unit: "Hz", decimals: 0, claims: ["A1", "A2", "A3", "A4", "A5"] },
     mean_flow_ml_s: { name: "Mean glottal flow", unit: "mL/s", decimals: 0, claims: ["A6"] },

@@ -7,9 +7,9 @@ import pytest
 
 import vfcore
 from tests.support.fold_harness import advance
-from vfcore.march import March
-from vfcore.params import PAPER_STEP_S, Activation, Run, Simulation
-from vfcore.simulate import prepare
+from vfcore.fold.march import March
+from vfcore.runs.one import prepare
+from vfcore.spec.simulation import PAPER_STEP_S, Activation, Run, Simulation
 
 
 class CycleOfModalVoice(NamedTuple):

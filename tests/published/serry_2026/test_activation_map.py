@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import vfcore
-from vfcore.params import Activation, Simulation
-from vfcore.posture.tables import posture_set
+from vfcore.spec.posture_sets import posture_set
+from vfcore.spec.simulation import Activation, Simulation
 
 LEVELS = np.linspace(0, 1, 6)
 

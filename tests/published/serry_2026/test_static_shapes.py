@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from vfcore.params import Activation, Simulation
-from vfcore.simulate import prepare
+from vfcore.runs.one import prepare
+from vfcore.spec.simulation import Activation, Simulation
 
 
 def posed(adduction, pca, ct, ta):

@@ -8,7 +8,7 @@ here the fold vibrates irregularly at about 200 Hz without closing, and only the
 import pytest
 
 import vfcore
-from vfcore.params import Activation, Model, PostureOverride, Simulation
+from vfcore.spec.simulation import Activation, Model, PostureOverride, Simulation
 
 LITERAL = Model(variant="text_literal")
 

@@ -7,7 +7,7 @@ flow .018/.046 %, largest contact pressure .06/.09 %. SQ is ill-conditioned in p
 import numpy as np
 import pytest
 
-from vfcore.params import DEFAULT_STEP_S, PAPER_STEP_S, SECTION_TRAVEL_S
+from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, SECTION_TRAVEL_S
 
 POSTURES = [
     {},

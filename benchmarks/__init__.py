@@ -1,1 +1,0 @@
-"""How fast Vocalis is on this machine; installed as ``vocalis_bench`` and run by ``vocalis bench``."""

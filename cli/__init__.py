@@ -1,1 +1,0 @@
-"""The command line of Vocalis; the command `vocalis` is ``vocalis_cli.main:run``."""

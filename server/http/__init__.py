@@ -1,0 +1,1 @@
+"""What every call passes: access, safeguards, and how errors and arrays are answered."""

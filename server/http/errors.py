@@ -1,0 +1,134 @@
+"""Exceptions to problem+json answers; the statuses stand in problems.TABLE."""
+
+import asyncio
+import logging
+from collections.abc import Sequence
+from http import HTTPStatus
+from typing import Any
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import JSONResponse, Response
+from starlette.exceptions import HTTPException
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from vfcore.errors import ParameterError, VocalisError
+from vocalis.server.http.problems import MEDIA_TYPE, TABLE, Kind, NotReady, document, kind_of, problem_of
+from vocalis.server.schemas.requests import OFFERED_KINDS, allowed_at, known_beside
+from vocalis.server.schemas.sweeps import TAGS
+
+log = logging.getLogger("vocalis")
+LONGEST_ECHO = 60
+_UNION_MEMBERS = ("function-wrap", "str", "list[str]", "list[constrained-str]")
+
+
+class StreamOver(Exception):
+    """A stream that is asked to resume has nothing more to say; 204 tells a browser not to ask again."""
+
+
+def problem_response(body: dict[str, Any], headers: dict[str, str] | None = None) -> JSONResponse:
+    """A problem document as an answer."""
+    return JSONResponse(body, body["status"], headers, MEDIA_TYPE)
+
+
+def answer(error: Exception) -> JSONResponse:
+    """The answer to an exception of the table, with the headers its status asks for."""
+    headers = {}
+    if (seconds := getattr(error, "retry_after_s", None)) is not None:
+        headers["Retry-After"] = str(seconds)
+    if kind_of(error).status == HTTPStatus.UNAUTHORIZED:
+        headers["WWW-Authenticate"] = "Bearer"
+    return problem_response(problem_of(error), headers)
+
+
+def install(app: FastAPI) -> None:
+    """Every error of the application leaves as problem+json."""
+    app.add_exception_handler(VocalisError, _known)
+    app.add_exception_handler(RequestValidationError, _validation)
+    app.add_exception_handler(HTTPException, _http)
+    app.add_exception_handler(StreamOver, _over)
+    app.add_middleware(Unforeseen)
+
+
+async def _known(_: Request, error: Exception) -> JSONResponse:
+    return answer(error)
+
+
+async def _over(_: Request, __: Exception) -> Response:
+    return Response(status_code=HTTPStatus.NO_CONTENT)
+
+
+class Unforeseen:
+    """Turns what nobody foresaw into a problem too; the log has the traceback, the client does not.
+
+    A call is cancelled only when the server stops and has waited for it long enough.
+    """
+
+    def __init__(self, app: ASGIApp):
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        started = scope["type"] != "http"
+
+        async def watched(message: Message) -> None:
+            nonlocal started
+            started = started or message["type"] == "http.response.start"
+            await send(message)
+
+        try:
+            await self._app(scope, receive, watched)
+        except asyncio.CancelledError:
+            if started:
+                raise
+            await answer(NotReady("The server is stopping."))(scope, receive, send)
+        except Exception as error:
+            if started:
+                raise
+            log.exception("%s %s failed", scope["method"], scope["path"])
+            await answer(error)(scope, receive, send)
+
+
+async def _http(_: Request, error: HTTPException) -> JSONResponse:
+    return problem_response(_by_status(error.status_code, error.detail), dict(error.headers or {}))
+
+
+async def _validation(request: Request, error: RequestValidationError) -> JSONResponse:
+    items = error.errors()
+    if items[0]["loc"] == ("body",) and isinstance(error.body, bytes):
+        given = request.headers.get("content-type", "nothing")
+        return problem_response(_by_status(415, f"The body must be application/json, not {given}."))
+    fields = [_field(item) for item in items]
+    detail = "; ".join(f"{field['path']}: {field['message']}" for field in fields[:3])
+    return problem_response(document(TABLE[ParameterError], detail, fields))
+
+
+def _by_status(status: int, detail: str) -> dict[str, Any]:
+    phrase = HTTPStatus(status).phrase
+    return document(Kind(status, phrase.lower().replace(" ", "-"), phrase), detail)
+
+
+def _field(item: dict[str, Any]) -> dict[str, str]:
+    """One entry of ``errors`` from one of pydantic's."""
+    where, *rest = item["loc"]
+    kind, limits = item["type"], item.get("ctx", {})
+    if kind == "json_invalid":
+        return {"path": "body", "message": f"is not JSON: {limits['error']}", "allowed": "a JSON object"}
+    if kind == "kind_not_offered":
+        return {"path": _path([*rest, "kind"]), "message": item["msg"], "allowed": " | ".join(OFFERED_KINDS)}
+    path = _path(rest) or str(where)
+    if kind == "extra_forbidden":
+        return {"path": path, "message": "is not a known field", "allowed": known_beside(path)}
+    allowed = (allowed_at(path) if where == "body" else None) or limits.get("expected") or item["msg"]
+    message = "is missing" if kind == "missing" else f"{_echo(item['input'])} cannot be used"
+    return {"path": path, "message": message, "allowed": str(allowed)}
+
+
+def _path(parts: Sequence[int | str]) -> str:
+    """Dotted, without what pydantic adds to say which member of a union it means."""
+    tagged = parts and parts[0] in TAGS
+    return ".".join(str(part) for part in parts[1 if tagged else 0 :] if part not in _UNION_MEMBERS)
+
+
+def _echo(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= LONGEST_ECHO else f"{text[:LONGEST_ECHO]}…"

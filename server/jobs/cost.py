@@ -1,0 +1,28 @@
+"""What a run will cost, known before it starts: nodes times steps, of its companions too."""
+
+from dataclasses import replace
+
+from vfcore.errors import ParameterError
+from vfcore.runs.error_estimate import companions
+from vfcore.runs.one import prepare, steps_of
+from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
+
+
+def check_cost(request: Simulation, limit: float, setting: str) -> None:
+    """ParameterError when nx·ny·steps of all runs that ``request`` needs is above ``limit``, which ``setting`` names.
+
+    Finds the posture on the way, as the longest stable step depends on it: raises what ``prepare`` raises.
+    """
+    run = request.run
+    runs = [run, *(one.run for one in companions(request))] if run.error_estimate else [run]
+    node_seconds = [one.nx * one.ny * one.duration_s for one in runs]
+    cost = sum(node_seconds) / (run.time_step_s or DEFAULT_STEP_S)
+    if cost <= limit:  # otherwise the steps need no looking up: they can only be shorter
+        steps = steps_of(request, [prepare(replace(request, run=one)).fold for one in runs])
+        cost = sum(work / step for work, step in zip(node_seconds, steps, strict=True))
+    if cost > limit:
+        raise ParameterError(
+            "run", f"{run.nx}×{run.ny} nodes for {run.duration_s:g} s"
+            f"{' and the finer runs of its error estimate' if len(runs) > 1 else ''} are {cost:.2g} node-steps",
+            f"up to {limit:g} node-steps ({setting}): a shorter run, a coarser grid or a longer step",
+        )  # fmt: skip

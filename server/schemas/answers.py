@@ -1,0 +1,239 @@
+"""Answers at the wire: what the OpenAPI document promises. Units stand in the names."""
+
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from vfcore.fold.closure import PATTERNS
+from vfcore.runs.result import ARRAYS
+
+
+class FieldError(BaseModel):
+    """One field that cannot be used."""
+
+    path: str = Field(description="dotted path of the field")
+    message: str = Field(description="what is wrong with its value")
+    allowed: str = Field(description="what would be accepted")
+
+
+class Problem(BaseModel):
+    """RFC 9457 problem details."""
+
+    type: str
+    title: str
+    status: int
+    detail: str
+    errors: list[FieldError] | None = None
+
+
+class EngineState(BaseModel):
+    name: str
+    workers: int
+
+
+class Health(BaseModel):
+    status: Literal["ok"]
+    version: str
+    model_version: str
+    engine: EngineState
+    ready: bool = Field(description="whether the kernels are compiled")
+    message: str = Field(description="the same in words")
+
+
+class Parameters(BaseModel):
+    """Every parameter as a row; presets, vowels and variants."""
+
+    parameters: list[dict[str, Any]]
+    groups: list[str]
+    presets: list[dict[str, Any]]
+    vowels: list[dict[str, Any]]
+    variants: list[dict[str, Any]]
+
+
+class Measures(BaseModel):
+    measures: list[dict[str, Any]]
+
+
+class Resonance(BaseModel):
+    frequency_hz: float
+    bandwidth_hz: float = Field(description="between the points 3 dB below the peak")
+
+
+class TractAnswer(BaseModel):
+    """A vocal tract in equal sections, glottis first, and what it does to the voice."""
+
+    vowel: str
+    ipa: str
+    source: str
+    section_length_m: float
+    areas_m2: list[float]
+    formants: list[Resonance] = Field(description="with the glottis closed, lowest first")
+    frequency_hz: list[float]
+    lip_pressure_per_flow_pa_s_m3: list[float] = Field(description="at frequency_hz: |pressure at lips / glottal flow|")
+
+
+class Posture(BaseModel):
+    strain: float
+    glottal_half_angle_rad: float
+    raw_glottal_half_angle_rad: float
+    length_m: float
+    residual: float | None
+    converged: bool
+
+
+class Coefficients(BaseModel):
+    """The tilde quantities of the paper."""
+
+    membrane_tension_n_m: float
+    beam_tension_n: float
+    bending_stiffness_n_m2: float
+    prestress_moment_n_m: float
+    membrane_density_kg_m2: float
+    beam_density_kg_m: float
+
+
+class StaticShape(BaseModel):
+    """Along x, anterior first: displacements, and the medial plane at the same edges, in the fold frame."""
+
+    x_m: list[float]
+    superior_m: list[float]
+    inferior_m: list[float]
+    beam_m: list[float]
+    medial_superior_m: list[float]
+    medial_inferior_m: list[float]
+    closed_fraction: float
+    closure_pattern: Literal[PATTERNS]
+
+
+class PostureAnswer(BaseModel):
+    posture: Posture
+    coefficients: Coefficients
+    static_shape: StaticShape
+
+
+class NeighboursAnswer(BaseModel):
+    answers: list[PostureAnswer | None] = Field(description="in the order of the values; null where there is none")
+
+
+class MeasuredValue(BaseModel):
+    value: float | None
+    unit: str
+    reason: str | None = Field(description="why there is no value")
+
+
+class ArrayInfo(BaseModel):
+    shape: list[int]
+    dtype: Literal["float32"]
+    unit: str
+    dims: list[str]
+
+
+class ErrorLevel(BaseModel):
+    """One of the runs compared, the one asked for first."""
+
+    nx: int
+    ny: int
+    time_step_s: float
+    phonation_state: str
+
+
+class ErrorBarAnswer(BaseModel):
+    """Of one measure, in its unit: the limit of a fine grid is expected within ``half_width`` of the value."""
+
+    half_width: float | None
+    limit: float | None = Field(description="what a fine grid would give")
+    order: float | None = Field(description="order of convergence used")
+    observed: bool = Field(description="whether that order was found in the runs or is that of the scheme")
+    unit: str
+    reason: str | None = Field(description="why there is no bar")
+
+
+class ErrorEstimateAnswer(BaseModel):
+    """Discretisation error of the measures, by runs on finer grids; on request (`run.error_estimate`)."""
+
+    method: str
+    levels: list[ErrorLevel]
+    measures: dict[str, ErrorBarAnswer]
+
+
+class Result(BaseModel):
+    """A finished simulation, but for the arrays themselves."""
+
+    model_config = ConfigDict(extra="allow")
+    phonation_state: Literal["none", "periodic", "subharmonic", "irregular"]
+    periodicity: float | None
+    measures: dict[str, MeasuredValue]
+    error_estimate: ErrorEstimateAnswer | None = Field(description="null unless the request asked for it")
+    posture: Posture
+    coefficients: Coefficients
+    static_shape: StaticShape
+    arrays: dict[Literal[tuple(ARRAYS)], ArrayInfo]
+    provenance: dict[str, Any]
+
+
+class SweepAxis(BaseModel):
+    name: str
+    parameters: list[str]
+    label: str
+    unit: str
+    values: list[float]
+
+
+class MissingReason(BaseModel):
+    reason: str
+    points: list[int] = Field(description="positions in C order of the shape")
+
+
+class MeasureTable(BaseModel):
+    unit: str
+    symbol: str
+    label: str
+    values: list[float | None] = Field(description="in C order of the shape")
+    reasons: list[MissingReason] = Field(description="why points that phonate or not have no value")
+
+
+class PointProblem(BaseModel):
+    index: int
+    detail: str
+
+
+class SweepResult(BaseModel):
+    """Scalars of every point of a sweep; lists run in C order of ``shape``."""
+
+    kind: Literal["sweep"]
+    shape: list[int]
+    n_total: int
+    n_done: int
+    n_failed: int
+    axes: list[SweepAxis]
+    points: list[dict[str, float]] | None = Field(description="numbers of each point, where there are no axes")
+    phonation_state: list[Literal["none", "periodic", "subharmonic", "irregular"] | None]
+    measures: dict[str, MeasureTable]
+    problems: list[PointProblem] = Field(description="points without an answer, and why")
+    pending: list[int] = Field(description="points not computed yet")
+
+
+class SimulateAnswer(Result):
+    id: str = Field(description="address of the result, as for a job")
+    links: dict[str, str]
+
+
+class JobAnswer(BaseModel):
+    id: str
+    kind: Literal["simulation", "sweep"]
+    status: Literal["accepted", "running", "successful", "failed", "dismissed"]
+    progress: float = Field(ge=0, le=1)
+    n_done: int
+    n_total: int
+    n_failed: int
+    created: str
+    started: str | None
+    finished: str | None
+    request: dict[str, Any]
+    problem: Problem | None
+    links: dict[str, str]
+
+
+class JobList(BaseModel):
+    jobs: list[JobAnswer]
+    next_cursor: str | None = Field(description="cursor of the next page; null on the last one")

@@ -1,0 +1,39 @@
+"""A row of postures at the wire: one request, and the values that one of its numbers takes."""
+
+from typing import Annotated
+
+from pydantic import BaseModel, Field
+
+from vfcore.errors import ParameterError
+from vfcore.runs.sweep.paths import check_value
+from vfcore.spec.document import numeric_paths, with_numbers
+from vfcore.spec.simulation import Simulation
+from vocalis.server.schemas.requests import STRICT, PostureBody, simulation_of
+
+#: A posture and its shape take about 1 ms: this many hold up no other call by more than a frame or two.
+MOST_VALUES = 32
+
+PATHS = [path for path in numeric_paths() if not path.startswith("run.")]
+Path = Annotated[str, Field(json_schema_extra={"enum": PATHS})]
+
+
+class NeighboursBody(BaseModel):
+    """Values that one number of a posture request takes, or several tied ones together."""
+
+    model_config = STRICT
+    base: PostureBody = Field(default_factory=PostureBody, description="what all of them have in common")
+    parameter: Path | Annotated[list[Path], Field(min_length=1, max_length=len(PATHS))]
+    values: Annotated[list[float], Field(min_length=1, max_length=MOST_VALUES)]
+
+
+def requests_of(body: NeighboursBody) -> list[Simulation]:
+    """One request for each value; ParameterError for what the schema could not see."""
+    base = simulation_of(body.base)
+    paths = [body.parameter] if isinstance(body.parameter, str) else body.parameter
+    for path in paths:
+        if path not in PATHS:
+            raise ParameterError("parameter", f"{path!r} is no number of a posture", "one listed by GET /parameters")
+    return [
+        with_numbers(base, {path: check_value(path, value, f"values.{k}") for path in paths})
+        for k, value in enumerate(body.values)
+    ]

@@ -1,0 +1,61 @@
+"""A sweep at the wire: its shape. What its numbers may be is judged by vfcore.runs.sweep, which names the place of
+each.
+"""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, Discriminator, Field, Tag
+
+from vfcore.measures.catalogue import CATALOGUE
+from vfcore.runs.many import PRECISIONS, SINGLE_PRECISION
+from vfcore.runs.sweep.document import MOST_AXES, sweep_from_dict
+from vfcore.runs.sweep.plan import Sweep
+from vfcore.spec.document import numeric_paths
+from vocalis.server.schemas.requests import STRICT, JobBody, SimulationBody
+
+Path = Annotated[str, Field(json_schema_extra={"enum": list(numeric_paths())})]
+
+
+class AxisBody(BaseModel):
+    """Values that one number takes, or several tied ones together."""
+
+    model_config = STRICT
+    parameter: Path | Annotated[list[Path], Field(min_length=1)]
+    values: Annotated[list[float], Field(min_length=1)]
+
+
+class SweepBody(BaseModel):
+    """A simulation over one to three axes, or at a list of points; exactly one of the two is given."""
+
+    model_config = STRICT
+    kind: Literal["sweep"]
+    base: SimulationBody = Field(default_factory=SimulationBody, description="what all points have in common")
+    axes: Annotated[list[AxisBody], Field(min_length=1, max_length=MOST_AXES)] | None = None
+    points: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = Field(
+        None, description="numbers by dotted path, or nested as in a simulation"
+    )
+    measures: Annotated[list[Literal[CATALOGUE.keys()]], Field(min_length=1)] | None = Field(
+        None, description="keys of GET /measures to compute; all when left out"
+    )
+    precision: Literal[PRECISIONS] = Field(
+        "float64",
+        description=f"of march and transforms; float32 computes a map in three fifths of the time, {SINGLE_PRECISION}",
+    )
+    keep_waveforms: bool = Field(False, description="keep every point as a whole run as well; up to 500 points")
+    fresh: bool = Field(False, description="compute again what is stored already")
+
+
+TAGS = ("simulation", "sweep")
+
+
+def _tag(body: Any) -> str:
+    kind = body.get("kind") if isinstance(body, dict) else getattr(body, "kind", None)
+    return "sweep" if kind == "sweep" else "simulation"
+
+
+AnyJobBody = Annotated[Annotated[JobBody, Tag("simulation")] | Annotated[SweepBody, Tag("sweep")], Discriminator(_tag)]
+
+
+def sweep_of(body: SweepBody) -> Sweep:
+    """The validated sweep; ParameterError for what the schema could not see."""
+    return sweep_from_dict(body.model_dump(exclude_unset=True, exclude={"fresh"}))

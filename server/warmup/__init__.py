@@ -1,0 +1,1 @@
+"""What is compiled, or loaded, before somebody asks for it."""

@@ -1,0 +1,87 @@
+"""Compiling the kernels in the background, so that the page is there at once."""
+
+import asyncio
+import logging
+import threading
+import time
+from collections.abc import Callable
+from multiprocessing.process import BaseProcess
+
+from vfcore.runs.one import prepare, simulate
+from vfcore.version import MODEL_VERSION
+from vocalis.server.http.problems import NotReady
+from vocalis.server.warmup.compile import compile_behind
+from vocalis.server.warmup.requests import COUPLED, IRREGULAR, PERIODIC
+
+log = logging.getLogger("vocalis")
+WAIT_S = 30.0  # for a first compilation on a slow machine
+LOOK_EVERY_S = 0.02
+
+
+class Kernels:
+    """Which kernels are compiled, and what is going on, in words."""
+
+    def __init__(self) -> None:
+        self._postures, self._runs = threading.Event(), threading.Event()
+        self._failed = self._closed = False
+        self._behind: BaseProcess | None = None
+        self.message = "the kernels are not compiled yet"
+
+    @property
+    def ready(self) -> bool:
+        """Whether everything a default request needs is compiled."""
+        return self._runs.is_set()
+
+    def start(self, then: Callable[[], None] = lambda: None) -> None:
+        """Compile in a thread of its own, and what can wait in a process; call ``then`` there when all is compiled."""
+        threading.Thread(target=self._compile_all, args=(then,), name="compile", daemon=True).start()
+
+    def close(self) -> None:
+        """End the process that compiles what can wait."""
+        self._closed = True
+        if self._behind is not None:
+            self._behind.kill()
+
+    def compile(self) -> None:
+        """Compile, or load from the cache, what a default request needs."""
+        began = time.perf_counter()
+        try:
+            self.message = "compiling the posture equations (1 of 2)"
+            prepare(PERIODIC)
+            self._postures.set()
+            self.message = "compiling the step of the fold (2 of 2)"
+            for voice in (PERIODIC, IRREGULAR):
+                simulate(voice)
+        except Exception as error:
+            self._failed = True
+            self.message = f"the kernels could not be compiled: {error}"
+            log.exception("compiling failed")
+            return
+        self.message = f"ready: the kernels of model {MODEL_VERSION} took {time.perf_counter() - began:.1f} s"
+        self._runs.set()
+
+    def _compile_all(self, then: Callable[[], None]) -> None:
+        self.compile()
+        if self._failed or self._closed:
+            return
+        self._behind = compile_behind()
+        if self._behind is not None:
+            self._behind.join()
+        if not self._closed:
+            then()
+            simulate(COUPLED)  # loads it: nobody waits for that, but a first run with two-way coupling would
+
+    async def for_postures(self) -> None:
+        """Return when postures can be solved; NotReady when that takes too long or has failed."""
+        await self._wait(self._postures)
+
+    async def for_runs(self) -> None:
+        """Return when runs can be made; NotReady as above."""
+        await self._wait(self._runs)
+
+    async def _wait(self, compiled: threading.Event) -> None:
+        deadline = time.monotonic() + WAIT_S
+        while not compiled.is_set():
+            if self._failed or time.monotonic() > deadline:
+                raise NotReady(f"Not ready: {self.message}.")
+            await asyncio.sleep(LOOK_EVERY_S)

@@ -1,0 +1,1 @@
+"""Trachea and vocal tract: waves, resonances, and the sound of a run."""

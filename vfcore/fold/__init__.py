@@ -1,0 +1,1 @@
+"""The fold: assembled, gated, at rest and in motion."""

@@ -1,0 +1,1 @@
+"""From muscles to posture, and from posture to tissue."""

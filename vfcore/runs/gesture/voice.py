@@ -1,0 +1,125 @@
+"""A voice that goes on while its muscles move: posture, fold, tract and audio, one block of 10 ms at a time.
+
+The same engine serves live playing and gestures rendered offline, so the same targets give the same samples.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vfcore.airways.coupled import airways_of, tract_of
+from vfcore.errors import ParameterError
+from vfcore.fold.assemble import Fold
+from vfcore.fold.march import March
+from vfcore.kernels.layout import RECORD
+from vfcore.runs.gesture.glide import GlidingFold, Goal, check_step
+from vfcore.runs.gesture.resample import Resampler
+from vfcore.runs.gesture.tract_filter import Lips
+from vfcore.runs.one import posture_of, prepare
+from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
+
+BLOCK_STEPS = 280  # 10 ms at the default step: a whole number of audio samples (480)
+BLOCK_S = BLOCK_STEPS * DEFAULT_STEP_S
+
+
+class Block(NamedTuple):
+    """10 ms of voice: ``record`` (280, 7) of layout.RECORD; lip and 0.3 m pressure (280,), Pa, the latter None unless
+    asked for; lip pressure at 48 kHz (480,), Pa, late by ``Voice.audio_delay_s``."""
+
+    record: np.ndarray
+    lip_pressure_pa: np.ndarray
+    far_pressure_pa: np.ndarray | None
+    audio_pa: np.ndarray
+
+
+class Voice:
+    """One voice from its onset on. ``advance(target)`` moves to ``target`` within a block.
+
+    The grid, the shear form and the step are those of ``start``; targets that differ in them are refused. ``played``:
+    without the sound at 0.3 m, and a block is good until the next one only, so that less memory is touched.
+    Raises ParameterError, PostureError or DivergenceError.
+    """
+
+    def __init__(self, start: Simulation, played: bool = False):
+        ready = prepare(start)
+        if start.run.time_step_s is not None:
+            raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
+        beside = airways_of(start, DEFAULT_STEP_S)  # those of the first vowel: what loads the folds does not glide
+        march = March(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=beside)
+        march.start_static(ready.static) if start.run.start == "static" else march.start_flat()
+        self.request, self.posture = start, ready.posture
+        check_step(ready.fold, DEFAULT_STEP_S)
+        self._gliding = GlidingFold(march, Goal(start, ready.posture))
+        self._now_tract = tract_of(start)
+        self._lips = Lips(self._now_tract, DEFAULT_STEP_S, BLOCK_STEPS, far=not played)
+        self._resampler = Resampler(1.0 / DEFAULT_STEP_S, BLOCK_STEPS)
+        self._played = played
+        self._rooms = self._new_rooms()
+        self.blocks = 0
+
+    @property
+    def audio_delay_s(self) -> float:
+        """How much later than the record the audio comes."""
+        return self._resampler.delay_s
+
+    @property
+    def fold(self) -> Fold:
+        return self._gliding.fold
+
+    @property
+    def seen(self) -> tuple[np.ndarray, np.ndarray]:
+        """Displacement of the membrane (ny, nx) and the beam (nx,) when last looked at, m."""
+        return self._gliding.seen
+
+    @property
+    def outline(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where the folds stand: x (nx,), the membrane's displacement when last looked at and the medial plane, both
+        (ny, nx), m."""
+        medial_m = self._gliding.medial_m
+        return np.linspace(0.0, self.posture.length_m, medial_m.shape[1]), self._gliding.seen[0], medial_m
+
+    def advance(self, target: Simulation, look_at: int = 0) -> Block:
+        """The next block; the numbers of the request reach ``target`` at its end. ``look_at``: a step of the block."""
+        goal = self._goal(target)
+        tract = self._now_tract if _same_tract(target, self.request) else tract_of(target)
+        record, lip, audio = self._rooms if self._played else self._new_rooms()
+        self._gliding.advance(goal, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)
+        flow = record[:, 1]
+        steady = self._lips.steady(tract)
+        if steady is not None:
+            self._resampler.hear(flow, steady, lip, audio)
+            far = steady.far(flow)
+        else:
+            lip, *others = self._lips.push(flow, tract)
+            far = others[0] if others else None
+            audio = self._resampler.push(lip)
+        self.request, self.posture, self._now_tract = target, goal.posture, tract
+        self.blocks += 1
+        return Block(record, lip, far, audio)
+
+    def _new_rooms(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where record, pressure at the lips and audio of a block go."""
+        return np.empty((BLOCK_STEPS, len(RECORD))), np.empty(BLOCK_STEPS), self._resampler.empty()
+
+    def _goal(self, target: Simulation) -> Goal:
+        now = self.request
+        if target is now or _same_fold(target, now):
+            return self._gliding.goal
+        if (target.run, target.model) != (now.run, now.model):
+            raise ParameterError("model", "cannot change while the voice goes on", "a new voice")
+        same_posture = (target.activation, target.posture, target.posturing, target.constants.L_0_m) == (
+            now.activation, now.posture, now.posturing, now.constants.L_0_m
+        )  # fmt: skip
+        return Goal(target, self.posture if same_posture else posture_of(target))
+
+
+def _same_tract(a: Simulation, b: Simulation) -> bool:
+    """Whether the air above the glottis is surely the same."""
+    return a is b or (a.vowel == b.vowel and a.constants is b.constants and a.model is b.model)
+
+
+def _same_fold(a: Simulation, b: Simulation) -> bool:
+    """Whether only breath or vowel differ."""
+    return (a.activation, a.posture, a.posturing, a.constants, a.convergence_angle_rad, a.run, a.model) == (
+        b.activation, b.posture, b.posturing, b.constants, b.convergence_angle_rad, b.run, b.model
+    )  # fmt: skip

@@ -1,0 +1,72 @@
+"""How much work a sweep is, and in what portions it is handed out."""
+
+import threading
+
+from vfcore.errors import ParameterError
+from vfcore.kernels.layout import LANES
+from vfcore.runs.sweep.plan import Sweep
+from vfcore.spec.simulation import DEFAULT_STEP_S
+
+TASK_S = (0.2, 1.0)  # a task is worth its round trip, and its loss or a stop costs little
+TASKS_PER_WORKER = 8  # at least so many, so that all workers end together
+MOST_PER_TASK = 512
+_GUESS_S = 3e-9  # per node and step, before anything was measured: twice what a calm core takes
+_OVERHEAD_S = 2e-3  # per point: posture, coefficients, measures
+
+
+def point_node_steps(sweep: Sweep) -> float:
+    """Upper bound of nodes × steps of any point, but for steps that stability shortens."""
+    run = sweep.base.run
+    most = {"nx": run.nx, "ny": run.ny, "duration_s": run.duration_s}
+    step = run.time_step_s or DEFAULT_STEP_S
+    for path, values in _varied(sweep):
+        name = path.removeprefix("run.")
+        if name in most:
+            most[name] = max(values)
+        elif name == "time_step_s":
+            step = min(values)
+    return most["nx"] * most["ny"] * most["duration_s"] / step
+
+
+def check_cost(sweep: Sweep, points: int, node_steps: float, setting_points: str, setting_steps: str) -> None:
+    """ParameterError when a sweep has more than ``points`` points or ``node_steps`` nodes × steps in all."""
+    path = "axes" if sweep.axes else "points"
+    if len(sweep) > points:
+        raise ParameterError(path, f"{len(sweep)} points are too many", f"up to {points} points ({setting_points})")
+    total = point_node_steps(sweep) * len(sweep)
+    if total > node_steps:
+        raise ParameterError(
+            path, f"{len(sweep)} runs are up to {total:.2g} node-steps",
+            f"up to {node_steps:g} node-steps ({setting_steps}): fewer points, shorter runs or a coarser grid",
+        )  # fmt: skip
+
+
+def _varied(sweep: Sweep):
+    if sweep.axes:
+        return [(path, axis.values) for axis in sweep.axes for path in axis.parameters]
+    paths = {path for point in sweep.points for path in point if path.startswith("run.")}
+    return [(path, [point[path] for point in sweep.points if path in point]) for path in paths]
+
+
+class Portions:
+    """How many points the next task gets: learns from the tasks that are done. Thread-safe."""
+
+    def __init__(self, sweep: Sweep, workers: int):
+        self._points, self.workers = len(sweep), workers
+        self._lanes = LANES[sweep.precision]
+        self._point_s = _OVERHEAD_S + _GUESS_S * point_node_steps(sweep)
+        self._lock = threading.Lock()
+
+    def next_size(self, left: int) -> int:
+        """Points of a task of 0.2 to 1 s; whole batches where a batch fits, and of the ``left`` ones a fair share."""
+        with self._lock:
+            workers, total_s = max(1, self.workers), self._point_s * self._points
+            wanted_s = min(max(total_s / (workers * TASKS_PER_WORKER), TASK_S[0]), TASK_S[1])
+            share = max(left / workers, self._lanes)
+            size = max(1, round(min(wanted_s / self._point_s, share, MOST_PER_TASK)))
+            return size if size < self._lanes else round(size / self._lanes) * self._lanes
+
+    def learn(self, points: int, seconds: float) -> None:
+        """A task of so many points took so long. The first one may have compiled kernels: later ones correct it."""
+        with self._lock:
+            self._point_s += 0.5 * (max(seconds / points, 1e-5) - self._point_s)

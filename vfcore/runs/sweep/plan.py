@@ -1,0 +1,114 @@
+"""What a sweep asks, expanded lazily: from a position in it to a request, and to the address of its result."""
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from vfcore.measures.catalogue import CATALOGUE
+from vfcore.runs.sweep.paths import computation_with_numbers, numbers
+from vfcore.spec.address import computation, computation_address, content_hash
+from vfcore.spec.document import with_numbers
+from vfcore.spec.simulation import Simulation
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """``parameters``: dotted paths that take the same ``values`` together."""
+
+    parameters: tuple[str, ...]
+    values: tuple[float, ...]
+
+    @property
+    def name(self) -> str:
+        """The name of the dimension: the first path with underscores, ``activation_ct``."""
+        return self.parameters[0].replace(".", "_")
+
+    @property
+    def unit(self) -> str:
+        return numbers()[self.parameters[0]]["unit"]
+
+    @property
+    def label(self) -> str:
+        return " and ".join(numbers()[path]["label"] for path in self.parameters)
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """``base`` with the numbers of every point: the product of ``axes`` in C order, or ``points`` one after the other.
+
+    ``measures``: keys of the catalogue to keep, None for all. Positions count from 0 to len(sweep) − 1.
+    """
+
+    base: Simulation
+    axes: tuple[Axis, ...] = ()
+    points: tuple[dict[str, float], ...] = ()
+    measures: tuple[str, ...] | None = None
+    precision: str = "float64"
+    keep_waveforms: bool = False
+    shape: tuple[int, ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        lengths = tuple(len(axis.values) for axis in self.axes) or (len(self.points),)
+        object.__setattr__(self, "shape", lengths)
+
+    def __len__(self) -> int:
+        return math.prod(self.shape)
+
+    def numbers(self, position: int) -> dict[str, float]:
+        """The numbers of one point by dotted path."""
+        if not self.axes:
+            return self.points[position]
+        places = np.unravel_index(position, self.shape)
+        return {
+            path: axis.values[place]
+            for axis, place in zip(self.axes, places, strict=True)
+            for path in axis.parameters
+        }  # fmt: skip
+
+    def request(self, position: int) -> Simulation:
+        """The simulation of one point; ParameterError where its numbers do not go together."""
+        return with_numbers(self.base, self.numbers(position))
+
+    def part(self, positions: Iterable[int]) -> "Sweep":
+        """The points at these positions alone, as a list: what a worker is sent."""
+        return replace(self, axes=(), points=tuple(self.numbers(position) for position in positions))
+
+    def requests(self) -> Iterator[Simulation]:
+        """All of them, one at a time."""
+        return (self.request(position) for position in range(len(self)))
+
+    def computation(self, position: int) -> dict[str, Any]:
+        """``vfcore.spec.address.computation`` of one point, without building its request."""
+        return computation_with_numbers(self._base_computation, self.numbers(position))
+
+    def address(self, position: int) -> str:
+        """Where the scalars of one point are stored: shared by every sweep that wants the same ones of it."""
+        return computation_address(self.computation(position), self.precision, self._columns)
+
+    @property
+    def content(self) -> str:
+        """The address of the whole sweep."""
+        asked = {
+            "kind": "sweep",
+            "base": self._base_computation,
+            "axes": [[axis.parameters, axis.values] for axis in self.axes],
+            "points": self.points,
+            "columns": self._columns,
+            "precision": self.precision,
+            "keep_waveforms": self.keep_waveforms,
+        }
+        return content_hash(asked)
+
+    @cached_property
+    def _base_computation(self) -> dict[str, Any]:
+        return computation(self.base)
+
+    @cached_property
+    def _columns(self) -> list[tuple[str, str]]:
+        """The measures by name and version, so that rows of another catalogue are never taken for rows of this one."""
+        keys = CATALOGUE.keys() if self.measures is None else self.measures
+        return [(key, CATALOGUE[key].version) for key in keys]

@@ -1,0 +1,74 @@
+"""What is kept of one point: its phonation state and scalars, with a reason for each that is missing."""
+
+import json
+import zlib
+from typing import NamedTuple
+
+import numpy as np
+
+from vfcore.io.result_document import Quantity
+from vfcore.measures.catalogue import CATALOGUE
+from vfcore.runs.many import Point
+from vfcore.runs.sweep.plan import Sweep
+
+#: Beside the measures: what else every point has.
+PERIODICITY = "periodicity"
+_EXTRA = {PERIODICITY: Quantity("1", "", "normalised autocorrelation peak")}
+_NOT_FINITE = "The computed value is not a finite number."
+
+
+class Row(NamedTuple):
+    """``state`` None: the point has no answer, and ``problem`` says why. ``values`` (columns,): NaN where missing;
+    ``reasons``: for the missing ones, from the sentence to the columns it is true of.
+    """
+
+    state: str | None
+    values: np.ndarray
+    reasons: dict[str, list[int]]
+    problem: str | None
+
+
+def columns(sweep: Sweep) -> dict[str, Quantity]:
+    """The scalars of every point of a sweep in their order: unit, symbol and name by key."""
+    wanted = CATALOGUE.keys() if sweep.measures is None else sweep.measures
+    return {key: Quantity(CATALOGUE[key].unit, CATALOGUE[key].symbol, CATALOGUE[key].name) for key in wanted} | _EXTRA
+
+
+def row_of(point: Point, keys: list[str]) -> Row:
+    """The row of a computed point."""
+    if point.problem is not None:
+        return failed_row(str(point.problem), len(keys))
+    report = point.report
+    values = np.full(len(keys), np.nan)
+    reasons: dict[str, list[int]] = {}
+    for column, key in enumerate(keys):
+        if key == PERIODICITY:
+            value, reason = report.periodicity, report.explanation
+        else:
+            measure = report.measures[key]
+            value, reason = measure.value, measure.reason
+        if value is not None and np.isfinite(value):
+            values[column] = value
+        else:
+            reasons.setdefault(reason or _NOT_FINITE, []).append(column)
+    return Row(report.state, values, reasons, None)
+
+
+def failed_row(problem: str, width: int) -> Row:
+    """The row of a point without an answer."""
+    return Row(None, np.full(width, np.nan), {}, problem)
+
+
+def encode(row: Row) -> bytes:
+    """A row as octets: values as little-endian float64, then the rest as JSON; compressed, checksummed."""
+    rest = json.dumps([row.state, row.reasons, row.problem], ensure_ascii=False, separators=(",", ":")).encode()
+    values = row.values.astype("<f8").tobytes()
+    return zlib.compress(len(row.values).to_bytes(2, "little") + values + rest, 1)
+
+
+def decode(octets: bytes) -> Row:
+    """The row that ``encode`` was given; zlib.error when the octets are damaged."""
+    plain = zlib.decompress(octets)
+    end = 2 + 8 * int.from_bytes(plain[:2], "little")
+    state, reasons, problem = json.loads(plain[end:])
+    return Row(state, np.frombuffer(plain[2:end], dtype="<f8"), reasons, problem)

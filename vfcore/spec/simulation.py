@@ -1,0 +1,193 @@
+"""What a run is asked to do: frozen dataclasses in SI units, validated when made.
+
+The defaults are the paper's modal case. Names are those of the JSON request, so a
+``Simulation`` and a request document say the same thing field by field.
+"""
+
+from dataclasses import dataclass, field, replace
+
+from vfcore.errors import ParameterError
+from vfcore.spec.fields import PAPER, check_number, choice, flag, quantity, validate
+from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.posture_sets import POSTURE_SETS, PosturingConstants, posture_set
+from vfcore.spec.variants import VARIANTS, ModelVariant
+
+VOWELS = ("i", "I", "e", "E", "AE", "V", "a", "O", "o", "U", "u")
+SECTION_TRAVEL_S = 0.0025 / 350.0  # one 0.25 cm tract section at the paper's speed of sound
+PAPER_STEP_S = SECTION_TRAVEL_S / 4  # 1.7857e-6 s, the paper's time step
+DEFAULT_STEP_S = SECTION_TRAVEL_S * 5  # 35.71e-6 s: output at 28 kHz, see docs/implementation.md
+
+_MUSCLE = "normalised activation, 0 relaxed to 1 full"
+
+
+@dataclass(frozen=True, slots=True)
+class Activation:
+    """Activation of the five intrinsic laryngeal muscles, each in [0, 1]."""
+
+    ta: float = quantity(
+        0.4, "1", "thyroarytenoid (TA)", 0, 1, step=0.01, symbol="a_ta", source=_MUSCLE,
+        help="shortens the folds and bulges them medially",
+    )  # fmt: skip
+    ct: float = quantity(
+        0.3, "1", "cricothyroid (CT)", 0, 1, step=0.01, symbol="a_ct", source=_MUSCLE,
+        help="lengthens and tenses the folds: the pitch muscle",
+    )  # fmt: skip
+    lca: float = quantity(
+        0.8, "1", "lateral cricoarytenoid (LCA)", 0, 1, step=0.01, symbol="a_lca", source=_MUSCLE,
+        help="turns the vocal processes inward and closes the membranous glottis",
+    )  # fmt: skip
+    ia: float = quantity(
+        0.8, "1", "interarytenoid (IA)", 0, 1, step=0.01, symbol="a_ia", source=_MUSCLE,
+        help="draws the arytenoids together; with LCA it closes the back of the glottis",
+    )  # fmt: skip
+    pca: float = quantity(
+        0.0, "1", "posterior cricoarytenoid (PCA)", 0, 1, step=0.01, symbol="a_pca", source=_MUSCLE,
+        help="the only opener: draws the vocal processes apart",
+    )  # fmt: skip
+
+    def __post_init__(self):
+        validate(self, "activation.")
+
+
+@dataclass(frozen=True, slots=True)
+class PostureOverride:
+    """A posture given directly, without muscles (the posturing equations are skipped)."""
+
+    strain: float = quantity(0.0, "1", "nominal strain", -0.45, 0.6, symbol="ε̄", source="given by the user", step=0.005)
+    glottal_half_angle_rad: float = quantity(
+        0.0, "rad", "glottal half-angle", 0, 0.6, symbol="θ_g", source="given by the user", step=0.001
+    )
+    rest_angle_rad: float = quantity(
+        0.254, "rad", "rest angle at the anterior commissure", -0.5, 1.0, symbol="θ_0",
+        source="see constants.rest_angle_rad",
+    )  # fmt: skip
+
+    def __post_init__(self):
+        validate(self, "posture.")
+
+
+COUPLING_GRADIENTS = ("inferior_stiff", "superior_stiff")
+SHEAR_FORMS = ("kelvin_voigt", "rotation")
+COUPLINGS = ("one_way", "two_way")
+#: Choices that a variant makes unless the request names them.
+BROUGHT_BY_VARIANT = ("posture_set", "coupling_gradient", "shear", "coupling")
+
+
+@dataclass(frozen=True, slots=True)
+class Model:
+    """Which equations: a variant, and overrides of what it stands for.
+
+    None takes the variant's own choice when the value is made, so that no field of a Model is ever None.
+    """
+
+    variant: str = choice("paper", "model variant", tuple(VARIANTS), source="docs/model.md")
+    posture_set: str = choice(
+        None, "posturing constants", POSTURE_SETS, source="docs/model.md", help="null: the variant's own"
+    )
+    coupling_gradient: str = choice(
+        None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model.md"
+    )
+    shear: str = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model.md")
+    coupling: str = choice(
+        None, "source–tract coupling", COUPLINGS, source=f"{PAPER}, Acoustic output; two_way: Titze (2008)",
+        help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds; null: "
+        "the variant's own",
+    )  # fmt: skip
+
+    def __post_init__(self):
+        validate(self, "model.")
+        for name in BROUGHT_BY_VARIANT:
+            if getattr(self, name) is None:
+                object.__setattr__(self, name, getattr(VARIANTS[self.variant], name))
+
+    def resolved(self) -> ModelVariant:
+        """The choices in force, with overrides applied."""
+        return replace(VARIANTS[self.variant], **{name: getattr(self, name) for name in BROUGHT_BY_VARIANT})
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """How the equations are advanced."""
+
+    duration_s: float = quantity(1.0, "s", "simulated time", 0.02, 60, source=f"{PAPER}, Simulation setup", step=0.1)
+    nx: int = field(default=20, metadata={})
+    ny: int = field(default=10, metadata={})
+    time_step_s: float | None = None
+    start: str = choice(
+        "flat", "initial state", ("flat", "static"), source="an earlier version of the model starts flat",
+        help="flat: a 1e-9 m bump; static: the shape at zero pressure",
+    )  # fmt: skip
+    pressure_rise_s: float = quantity(
+        0.0, "s", "rise time of the lung pressure", 0, 10, source="0: a step, as in the paper",
+        help="linear ramp from 0 to the full pressure; 0 is a step", step=0.01,
+    )  # fmt: skip
+
+    error_estimate: bool = flag(
+        False, "error bars of the measures", source="docs/model.md, section 4",
+        help="two more runs on finer grids say how far each measure is from the limit of a fine grid; about 12 times "
+        "the work",
+    )  # fmt: skip
+
+    def __post_init__(self):
+        validate(self, "run.")
+        check_number("run.nx", self.nx, *GRID_LIMITS["nx"], "nodes", integer=True)
+        check_number("run.ny", self.ny, *GRID_LIMITS["ny"], "nodes", integer=True)
+        for name in ("nx", "ny"):  # JSON does not tell 20.0 from 20
+            object.__setattr__(self, name, int(getattr(self, name)))
+        if self.time_step_s is not None:
+            check_number("run.time_step_s", self.time_step_s, *STEP_LIMITS_S, "s")
+
+    @property
+    def step_s(self) -> float:
+        """The time step in force, s."""
+        return DEFAULT_STEP_S if self.time_step_s is None else float(self.time_step_s)
+
+
+GRID_LIMITS = {"nx": (6, 200), "ny": (3, 100)}
+STEP_LIMITS_S = (1e-8, 1e-3)
+
+
+@dataclass(frozen=True, slots=True)
+class Simulation:
+    """One run; every field has the value of the paper's modal case.
+
+    ``constants`` and ``posturing``: None stands for those of the model variant.
+    """
+
+    activation: Activation = field(default_factory=Activation)
+    subglottal_pressure_pa: float = quantity(
+        1000.0, "Pa", "lung pressure", 0, 5000, symbol="P_s", source=f"{PAPER}, Simulation setup", step=10,
+        help="the steady pressure below the folds",
+    )  # fmt: skip
+    convergence_angle_rad: float = quantity(
+        0.02, "rad", "convergence angle", -0.02, 0.3, symbol="θ_conv", step=0.001,
+        source=f"{PAPER}, table of resting dimensions",
+        help="angle between the medial plane and the anterior edge; positive converges towards the mouth",
+    )  # fmt: skip
+    vowel: str = choice("a", "vowel", VOWELS, source="Story (2008), JASA 123(1):327–335")
+    model: Model = field(default_factory=Model)
+    posture: PostureOverride | None = None
+    run: Run = field(default_factory=Run)
+    constants: FoldConstants | None = None
+    posturing: PosturingConstants | None = None
+
+    def __post_init__(self):
+        validate(self)
+        if self.constants is None:
+            object.__setattr__(self, "constants", self.model.resolved().constants())
+        if self.posturing is None:
+            object.__setattr__(self, "posturing", posture_set(self.model.resolved().posture_set))
+        if self.run.pressure_rise_s > self.run.duration_s:
+            raise ParameterError(
+                "run.pressure_rise_s", f"{self.run.pressure_rise_s:g} is longer than the run",
+                f"0 to run.duration_s = {self.run.duration_s:g} s",
+            )  # fmt: skip
+
+    def with_activation(self, activation: Activation) -> "Simulation":
+        """The same with other muscles. What stays was checked when it was made: a voice that moves asks for a hundred
+        a second, and ``dataclasses.replace`` takes ten times as long."""
+        moved = object.__new__(Simulation)
+        for name in Simulation.__slots__:
+            object.__setattr__(moved, name, getattr(self, name))
+        object.__setattr__(moved, "activation", activation)
+        return moved

@@ -1,0 +1,140 @@
+"""Named variants of the model: which equations, which posturing, and which constants differ from the paper's.
+
+``human`` and ``human_female`` change constants only. The values of ``human`` are those that the calibration study of
+vocalis.studies.norms finds and adopts by its rule (docs/human.md, section 4): twelve of fifteen published norms of men
+met, and no shape or map of the paper worse than its own constants show under the same coupling. ``human_female`` is
+scaled from it and calibrated against nothing.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+
+from vfcore.spec.fold_constants import FoldConstants
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One constant that a variant replaces: its name in FoldConstants, the value, and the reason for it."""
+
+    name: str
+    value: float
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class ModelVariant:
+    """The named choices that a variant stands for.
+
+    ``changes``: constants that differ from the paper's. ``coupling``: the source–tract coupling it was made for,
+    which a request gets unless it names another. ``airway_scale``: all lengths and diameters of both airways
+    over those of the published male ones.
+    """
+
+    posture_set: str
+    coupling_gradient: str
+    shear: str
+    help: str
+    changes: tuple[Change, ...] = ()
+    coupling: str = "one_way"
+    airway_scale: float = 1.0
+
+    @property
+    def overrides(self) -> Mapping[str, float]:
+        """The changed constants by name."""
+        return {change.name: change.value for change in self.changes}
+
+    def constants(self, **overrides: float) -> FoldConstants:
+        """The fold's constants of this variant, some of them replaced. ParameterError for a value out of range."""
+        return FoldConstants(**{**self.overrides, **overrides}) if overrides else _unaltered(self.changes)
+
+
+@cache
+def _unaltered(changes: tuple[Change, ...]) -> FoldConstants:
+    return FoldConstants(**{change.name: change.value for change in changes})
+
+
+_SHEAR = (
+    "Measured in the superficial lamina propria, shear stiffness and viscosity differ tenfold between people, and the "
+    "viscosity falls with frequency (Chan & Titze 1999)."
+)
+_HUMAN = (
+    Change(
+        "C_coup_pa_s_m", 36.0,
+        "3.6 times the paper's, with which the opening grows beyond any larynx. Not measured directly; with the shear "
+        "viscosity it sets the damping ratios of the mucosa, of which 0.1 to 0.4 are used after measurements on folds "
+        "and larynges (Ishizaka & Flanagan 1972; Titze & Story 2002).",
+    ),
+    Change(
+        "A_muc_0_m2", 7.2e-6,
+        "Depth of the mucosa 1.44 mm instead of 1 mm: the mass that moves with the surface. Body–cover models of a "
+        "man's fold use a cover of 2 mm (Titze & Story 2002).",
+    ),
+    Change(
+        "K_coup_min_pa_m", 9.6e4,
+        "Nearly twice the paper's, with which 1 kPa moves the soft edge by 20 mm; now by 10 mm. Not measured directly; "
+        "held by the norms of area, flow and f_o.",
+    ),
+    Change(
+        "K_coup_max_pa_m", 1.1e6,
+        "2.2 times the paper's. A layer of 1.4 mm with a modulus of 1 kPa across the fold (Alipour & Vigmostad 2012) "
+        "would have 6.9e5 Pa/m, between the edges. Not measured directly.",
+    ),
+    Change(
+        "K_col_pa_m", 1.2e6,
+        "A little stiffer than the paper's, so that the folds pass through each other less; the firmer they touch, "
+        "the more f_o rises with what presses them together, TA above all. Held by the norm of contact pressure.",
+    ),
+    Change("C_col_pa_s_m", 110.0, "As the contact stiffness: their ratio, 0.09 ms, is nearly the paper's."),
+    Change("G_m_pa", 25.0, f"{_SHEAR} Held by the paper's trends."),
+    Change("eta_m_pa_s", 0.35, f"{_SHEAR} Held by the paper's trends."),
+    Change(
+        "sigma_2_muc_pa", 1600.0,
+        "Its slope at rest length becomes 50 kPa instead of 32; measured in the lamina propria are some 30 kPa at low "
+        "strain and 10 to 15 times that at high strain (Alipour & Vigmostad 2012). The more of f_o hangs on "
+        "the length, the more TA, which shortens the folds, lowers it.",
+    ),
+    Change(
+        "K_r_a_n_m", 0.025,
+        "A quarter more than the paper's. Not measured. The stiffer the folds are held in front, the less TA bulges "
+        "them against each other, and the less contact raises f_o.",
+    ),
+)  # fmt: skip
+LENGTH_RATIO, SIZE_RATIO, AIRWAY_RATIO = 1.6, 1.2, 1.2  # men over women, Titze (1989b); airways: Fitch & Giedd (1999)
+
+
+def _scaled(human: tuple[Change, ...]) -> tuple[Change, ...]:
+    base = FoldConstants(**{change.name: change.value for change in human})
+    area = "thickness and depth over 1.2 each: men's folds over women's, Titze (1989b)"
+    return (
+        *(change for change in human if change.name != "A_muc_0_m2"),
+        Change("L_0_m", base.L_0_m / LENGTH_RATIO, "membranous length over 1.6, Titze (1989b)"),
+        Change("b_0_m", base.b_0_m / SIZE_RATIO, "thickness over 1.2, Titze (1989b)"),
+        Change("A_muc_0_m2", base.A_muc_0_m2 / SIZE_RATIO**2, area),
+        Change("A_lig_0_m2", base.A_lig_0_m2 / SIZE_RATIO**2, area),
+        Change("A_ta_0_m2", base.A_ta_0_m2 / SIZE_RATIO**2, area),
+    )
+
+
+VARIANTS = {
+    "paper": ModelVariant(
+        "serry2026", "inferior_stiff", "kelvin_voigt",
+        "The paper's numbers: Kelvin–Voigt membrane, coupling stiffest at the inferior edge.",
+    ),
+    "text_literal": ModelVariant(
+        "serry2026", "superior_stiff", "rotation",
+        "The paper's text to the letter: rotation equation, coupling stiffest at the superior edge.",
+    ),
+    "human": ModelVariant(
+        "serry2026", "inferior_stiff", "kelvin_voigt",
+        "Adult man: the paper's equations, ten constants set so that flow, pitch and level are of human size; the "
+        "paper's shapes and maps stay. Brings coupling two_way.",
+        _HUMAN, "two_way",
+    ),
+    "human_female": ModelVariant(
+        "serry2026", "inferior_stiff", "kelvin_voigt",
+        "Adult woman, an extrapolation: the human variant with folds and airways scaled by published ratios; "
+        "posturing and tissue are a man's, and no measurement was fitted.",
+        _scaled(_HUMAN), "two_way", 1.0 / AIRWAY_RATIO,
+    ),
+}  # fmt: skip

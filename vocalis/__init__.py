@@ -1,0 +1,1 @@
+"""Around the core: command line, server, page, studies and benchmarks."""

@@ -1,0 +1,27 @@
+"""What a client waits for, on a server with nothing else to do: a second of voice, and a map from request to table."""
+
+import os
+import tempfile
+from functools import partial
+
+from vocalis.bench.interactive import milliseconds, run
+from vocalis.bench.sweeps import grid, served, start_workers, to_table
+
+POINTS = 21  # of each of the two muscles of a map
+VOICES = 40
+PRECISIONS = {"map": "float64", "map_single": "float32"}
+
+
+def answers(rounds: int, points: int = POINTS, voices: int = VOICES) -> dict[str, list[float]]:
+    """Seconds of each answer, client to client, all workers started before: ``http``, of ``voices`` requests for 1 s of
+    voice with all arrays; ``map`` and ``map_single``, of ``rounds`` maps in double and in single precision.
+    """
+    body, workers = grid(points, points), os.cpu_count() or 1
+    with tempfile.TemporaryDirectory(prefix="vocalis-answers-") as folder, served(folder, workers) as (client, _):
+        start_workers(client)
+        run(client, 0.0)
+        voice = partial(run, duration_s=1.0)
+        found = {"http": [1e-3 * took for took in milliseconds(voice, client, 0.001, voices)]}
+        for name, precision in PRECISIONS.items():
+            found[name] = [to_table(client, body | {"precision": precision}, k) for k in range(rounds)]
+    return found

@@ -1,0 +1,78 @@
+"""Arithmetic and memory operations of one step of the fold, counted by running its source on numbers that count.
+
+``python -m vocalis.bench.count NX NY`` prints them as JSON. The loop is run interpreted (NUMBA_DISABLE_JIT=1) with
+arrays that count. So the count follows the kernel as it is written: each +, −, ×, ÷ and square root of one lane is one
+operation (a fused multiply-add two), comparisons are counted apart, each read or write of a number of the buffer is
+8 bytes, whether or not the compiler keeps it in a register. Idle columns that ride along are work done, and count.
+"""
+
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+
+TOUCHING_M = 1e-6  # so deep is one row of nodes: a single run leaves contact out of open columns
+ENOUGH_STEPS = 2  # the second minus the first: what one more step costs
+ARITHMETIC = {np.add, np.subtract, np.multiply, np.divide, np.sqrt, np.negative}
+COMPARISONS = {np.less, np.greater}
+
+
+class Counted(np.ndarray):
+    """Numbers (any shape) whose arithmetic and accesses are tallied in ``tally``, one for each number."""
+
+    tally = {"arithmetic": 0, "comparisons": 0, "accesses": 0}
+
+    def __array_ufunc__(self, ufunc, method, *inputs, **options):
+        plain = [np.asarray(value) for value in inputs]
+        result = getattr(ufunc, method)(*plain, **options)
+        kind = "arithmetic" if ufunc in ARITHMETIC else "comparisons" if ufunc in COMPARISONS else None
+        if kind is not None and any(isinstance(value, Counted) for value in inputs):
+            Counted.tally[kind] += np.asarray(result).size
+        return np.asarray(result).view(Counted)
+
+    def __array_function__(self, function, types, inputs, options):
+        """Choices (``np.where``) move numbers and are not counted."""
+        plain = [np.asarray(value) if isinstance(value, Counted) else value for value in inputs]
+        return np.asarray(function(*plain, **options)).view(Counted)
+
+    def __getitem__(self, index):
+        value = np.asarray(super().__getitem__(index)).view(Counted)
+        Counted.tally["accesses"] += value.size
+        return value
+
+    def __setitem__(self, index, value):
+        Counted.tally["accesses"] += np.asarray(value).size
+        np.asarray(self)[index] = value
+
+
+def count_step(nx: int, ny: int) -> dict[str, int]:
+    """Arithmetic operations, comparisons and buffer accesses of one step on nx × ny nodes, in another process."""
+    environment = os.environ | {"NUMBA_DISABLE_JIT": "1"}
+    command = [sys.executable, "-m", "vocalis.bench.count", str(nx), str(ny)]
+    return json.loads(subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout)
+
+
+def _count(nx: int, ny: int) -> dict[str, int]:
+    from vfcore.fold import assemble
+    from vfcore.kernels.fold import step_kernel
+    from vfcore.kernels.layout import RECORD
+    from vfcore.runs.one import prepare
+    from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
+
+    fold = prepare(Simulation(run=Run(nx=nx, ny=ny))).fold
+    advance = step_kernel(nx, ny, fold.rotation)
+    buffer = assemble.new_buffer(fold, DEFAULT_STEP_S).view(Counted)
+    assemble.membrane(buffer, fold)[ny // 2] = fold.medial_plane_m[ny // 2] + TOUCHING_M
+    scalars = assemble.scalars(fold, DEFAULT_STEP_S).view(Counted)
+    totals = []
+    for steps in range(1, ENOUGH_STEPS + 1):
+        Counted.tally.update(dict.fromkeys(Counted.tally, 0))
+        advance(buffer, scalars, np.full(steps, 1000.0), ENOUGH_STEPS, np.empty(len(RECORD)))
+        totals.append(dict(Counted.tally))
+    return {kind: totals[1][kind] - totals[0][kind] for kind in Counted.tally}
+
+
+if __name__ == "__main__":
+    print(json.dumps(_count(int(sys.argv[1]), int(sys.argv[2]))))

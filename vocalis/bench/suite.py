@@ -1,0 +1,219 @@
+"""All benchmarks of the modal case on the default grid, as rows of one table."""
+
+import os
+import platform
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from statistics import median
+from typing import NamedTuple
+
+import numpy as np
+
+from vfcore.fold.march import March
+from vfcore.fold.march_many import Motion, march_many
+from vfcore.fold.statics import static_shape_of
+from vfcore.io.netcdf import write_netcdf
+from vfcore.kernels.layout import LANES, Layout
+from vfcore.larynx.posture.equilibrium import solve_posture, solve_posture_batch
+from vfcore.runs.one import prepare, simulate
+from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Simulation
+from vocalis.bench import compare, machine, processes, reference
+from vocalis.bench.answers import POINTS, answers
+from vocalis.bench.count import count_step
+from vocalis.bench.interactive import SECOND_MS
+from vocalis.bench.rounds import turns
+
+BATCH = 1000
+STORED_TARGET_S = 0.08  # request to stored result of 1 s of voice
+KERNEL_TARGET_S = 0.012  # 1 s of voice on one core
+PAPER_STEP_TARGET_S = 0.2
+PAPER_MINUTE_S = 60.0  # the paper: "under a minute" for a simulation of 1 s
+BATCH_VOICE_S = 1.0
+MAP_TARGETS_S = {"map": 3.0, "map_single": 1.5}  # 441 runs of 1 s on two cores
+STATIC_BATCH_TARGET_S = 1.0
+#: At least: plain loop over kernel, and kernel over each voice of a batch.
+REFERENCE_TARGET, GAINS = 20.0, {"batch": 1.25, "single_precision": 2.0}
+
+
+class Row(NamedTuple):
+    """One number of the table. ``value``: with the median of all rounds; ``quickest``: with the quickest turn of each
+    task, which is what the machine does while nobody else wants it; ``target``: at most this, in the same unit, and
+    ``at_least`` this.
+    """
+
+    key: str
+    label: str
+    value: float
+    unit: str
+    target: float | None = None
+    quickest: float | None = None
+    at_least: float | None = None
+
+
+def run(rounds: int, fresh_processes: bool = True, progress: Callable[[str], None] = lambda what: None) -> list[Row]:
+    """Every row; ``progress`` is told what is being measured. ``fresh_processes``: memory, start-up, counts, and the
+    answers of a server too."""
+    progress(f"timing, {rounds} rounds")
+    with tempfile.TemporaryDirectory() as folder:
+        seconds = turns(_tasks(Path(folder) / "result.nc"), rounds)
+    rows = _beside(_timings, seconds)
+    if fresh_processes:
+        progress("answers of a server")
+        rows += _beside(_answers, seconds | answers(rounds))
+        progress("memory of a run")
+        rows += _memory()
+        progress("compiling from nothing")
+        rows += _start_up()
+        progress("counting operations")
+        grid = Simulation().run
+        counted = count_step(grid.nx, grid.ny)
+        rows += _beside(lambda took: _efficiency(took, counted), seconds)
+    return rows
+
+
+def machine_description() -> dict[str, str | int | None]:
+    """Where the numbers were taken."""
+    return {
+        "machine": platform.machine(),
+        "processor": _processor(),
+        "cores": os.cpu_count(),
+        "system": platform.platform(),
+        "python": platform.python_version(),
+    }
+
+
+def _tasks(stored: Path) -> dict[str, Callable[[], object]]:
+    request = Simulation()
+    fold = prepare(request).fold
+    activations = np.random.default_rng(1).random((BATCH, 5))
+
+    def kernel(step_s: float) -> Callable[[], object]:
+        def march():
+            moving = March(fold, step_s, request.subglottal_pressure_pa)
+            moving.start_flat()
+            return moving.run(round(1.0 / (step_s * moving.record_every)))
+
+        return march
+
+    def batch(precision: str) -> Callable[[], object]:
+        motions = [Motion(fold, DEFAULT_STEP_S, request.subglottal_pressure_pa, BATCH_VOICE_S)] * LANES[precision]
+        return lambda: list(march_many(motions, single_precision=precision == "float32"))
+
+    return {
+        "posture": lambda: solve_posture(request.activation, request.posturing),
+        "postures": lambda: solve_posture_batch(activations, request.posturing),
+        "static": lambda: static_shape_of(fold),
+        "prepare": lambda: prepare(request),
+        "kernel": kernel(DEFAULT_STEP_S),
+        "kernel_paper_step": kernel(PAPER_STEP_S),
+        "reference": lambda: reference.plain_run(fold, request.subglottal_pressure_pa, 1.0),
+        "batch": batch("float64"),
+        "batch_single": batch("float32"),
+        "result": lambda: simulate(request),
+        "stored": lambda: write_netcdf(simulate(request), stored),
+        "peak": machine.peak_task()[0],
+        "l1": machine.cache_task()[0],
+    } | compare.tasks()
+
+
+def _beside(rows: Callable[[dict[str, float]], Iterator[Row]], seconds: dict[str, list[float]]) -> list[Row]:
+    """The rows of the medians of ``seconds``, with the number that the quickest turns give in the same row."""
+    typical, best = (rows({name: of(took) for name, took in seconds.items()}) for of in (median, min))
+    return [row._replace(quickest=other.value) for row, other in zip(typical, best, strict=True)]
+
+
+def _timings(seconds: dict[str, float]) -> Iterator[Row]:
+    yield Row("posture_us", "posture: muscles → strain and angle", seconds["posture"] * 1e6, "µs")
+    yield Row("posture_batch_us", f"posture, each of a batch of {BATCH}", seconds["postures"] / BATCH * 1e6, "µs")
+    yield Row("static_ms", "static shape with contact", seconds["static"] * 1e3, "ms")
+    yield Row("prepare_ms", "request → posture and static shape", seconds["prepare"] * 1e3, "ms")
+    yield Row(
+        "kernel_s", f"kernel, 1 s of voice, step {DEFAULT_STEP_S * 1e6:.2f} µs", seconds["kernel"], "s",
+        KERNEL_TARGET_S,
+    )  # fmt: skip
+    yield Row(
+        "kernel_paper_step_s", f"  at the paper's step, {PAPER_STEP_S * 1e6:.4f} µs",
+        seconds["kernel_paper_step"], "s", PAPER_STEP_TARGET_S,
+    )  # fmt: skip
+    yield Row(
+        "reference_s", f"plain compiled loop, step {reference.STEP_S * 1e6:.2f} µs",
+        seconds["reference"], "s",
+    )  # fmt: skip
+    ratio = seconds["reference"] / seconds["kernel"]
+    yield Row("reference_ratio", "plain loop / kernel", ratio, "×", at_least=REFERENCE_TARGET)
+    yield Row(
+        "paper_step_ratio", "plain loop / kernel at the paper's step",
+        seconds["reference"] / seconds["kernel_paper_step"], "×",
+    )  # fmt: skip
+    for task, precision, label in (("batch", "float64", "batch"), ("batch_single", "float32", "single_precision")):
+        each = seconds[task] / LANES[precision] / BATCH_VOICE_S
+        yield Row(f"{label}_s", f"kernel, each of {LANES[precision]} voices in {precision}", each, "s")
+        yield Row(
+            f"{label}_gain", "  a voice alone / one of them", seconds["kernel"] / each, "×", at_least=GAINS[label]
+        )
+        yield Row(f"{label}_ratio", "  plain loop / kernel", seconds["reference"] / each, "×")
+    static_s = seconds["static"] * BATCH
+    yield Row("static_batch_s", f"{BATCH} static shapes, one after the other", static_s, "s", STATIC_BATCH_TARGET_S)
+    yield Row("paper_minute_ratio", "the paper's minute / request → result", PAPER_MINUTE_S / seconds["result"], "×")
+    yield from (Row(*row) for row in compare.rows(seconds))
+    yield Row("result_s", "request → result, 1 s of voice", seconds["result"], "s")
+    yield Row("stored_s", "request → stored netCDF, 1 s of voice", seconds["stored"], "s", STORED_TARGET_S)
+    yield Row("peak_gflop_s", "this core: multiply-adds", _peak_gflop_s(seconds), "Gflop/s")
+    yield Row("l1_gb_s", "this core: L1 bandwidth", _l1_gb_s(seconds), "GB/s")
+
+
+def _answers(seconds: dict[str, float]) -> Iterator[Row]:
+    yield Row("http_s", "request → whole answer through HTTP, 1 s of voice", seconds["http"], "s", 1e-3 * SECOND_MS)
+    runs, cores = POINTS**2, os.cpu_count() or 1
+    for name, label in (("map", f"map of {runs} runs of 1 s, request → table"), ("map_single", "  in float32")):
+        yield Row(f"{name}_s", label, seconds[name], "s", MAP_TARGETS_S[name])
+        plain_s = seconds["reference"] * runs / cores
+        yield Row(f"{name}_ratio", f"  plain loop on {cores} cores / map", plain_s / seconds[name], "×")
+
+
+def _peak_gflop_s(seconds: dict[str, float]) -> float:
+    return machine.peak_task()[1] / seconds["peak"] * 1e-9
+
+
+def _l1_gb_s(seconds: dict[str, float]) -> float:
+    return machine.cache_task()[1] / seconds["l1"] * 1e-9
+
+
+def _memory() -> Iterator[Row]:
+    seen = processes.memory()
+    if seen is None:
+        return
+    yield Row("memory_mb", "peak resident memory, simulating 1 s", seen["after_bytes"] * 1e-6, "MB")
+    grown = seen["after_bytes"] - seen["before_bytes"]
+    yield Row("memory_run_mb", "  of it by that run", grown * 1e-6, "MB")
+
+
+def _start_up() -> Iterator[Row]:
+    cold, warm = processes.first_results()
+    yield Row("load_s", "import vfcore", warm["load_s"], "s")
+    yield Row("first_cold_s", "first result, kernels compiled", cold["first_result_s"], "s")
+    yield Row("first_warm_s", "first result, kernels from the cache", warm["first_result_s"], "s")
+
+
+def _efficiency(seconds: dict[str, float], counted: dict[str, int]) -> Iterator[Row]:
+    grid = Simulation().run
+    per_step_s = seconds["kernel"] * DEFAULT_STEP_S
+    gflop_s = counted["arithmetic"] / per_step_s * 1e-9
+    gb_s = counted["accesses"] * 8 / per_step_s * 1e-9
+    yield Row("step_us", "one step of the kernel", per_step_s * 1e6, "µs")
+    yield Row("operations", "operations a step in contact, as written", counted["arithmetic"], "flop")
+    yield Row("bytes", "bytes moved a step, as written", counted["accesses"] * 8, "B")
+    yield Row("state_bytes", "the buffer of a fold", Layout(grid.nx, grid.ny).size * 8, "B")
+    yield Row("gflop_s", "kernel: arithmetic", gflop_s, "Gflop/s")
+    yield Row("of_peak", "  of this core's multiply-adds", 100 * gflop_s / _peak_gflop_s(seconds), "%")
+    yield Row("gb_s", "kernel: memory as written", gb_s, "GB/s")
+    yield Row("of_l1", "  of this core's L1 bandwidth", 100 * gb_s / _l1_gb_s(seconds), "%")
+
+
+def _processor() -> str | None:
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return platform.processor() or None
+    return next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), None)

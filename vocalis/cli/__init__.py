@@ -1,0 +1,1 @@
+"""The command line of Vocalis; the command `vocalis` is ``vocalis.cli.main:run``."""

@@ -1,0 +1,1 @@
+"""Studies made with the core: the paper's claims, and published norms of men."""

@@ -1,0 +1,156 @@
+"""What two-way coupling does to a voice: vowels one-way and two-way, a harmonic across F1, the trachea in the spectrum.
+
+Also how the coupled loop holds: random voices over the whole range, and the same at half the step.
+"""
+
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vfcore.airways.coupled import Airways, airways
+from vfcore.airways.resonances import closed_glottis_formants
+from vfcore.airways.tract import Tract
+from vfcore.errors import DivergenceError, VocalisError
+from vfcore.fold.march import March
+from vfcore.fold.stability import time_step_s
+from vfcore.runs.one import prepare, simulate
+from vfcore.runs.result import SimulationResult
+from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
+from vocalis.studies.norms.efforts import POSTURE
+
+VOWELS = ("a", "i", "u")
+#: The voices compared: the paper's constants at a pressure that opens a glottis of human size, and the human variant.
+VOICES = (("paper", 300.0), ("human", 700.0))
+#: A uniform tube of this area instead of a vowel, its length set by the F1 asked for.
+TUBE_AREA_M2 = 3e-4
+TUBE_F1_HZ = (700, 600, 550, 500, 475, 450, 400, 350, 300, 275, 250, 225, 200)
+RANDOM_VOICES, RANDOM_RUN_S, HALVED = 500, 0.2, 40
+SEED = 20261125
+
+
+class Pair(NamedTuple):
+    """One voice with both couplings."""
+
+    variant: str
+    vowel: str
+    one_way: SimulationResult
+    two_way: SimulationResult
+
+
+def pairs() -> list[Pair]:
+    """The modal posture, each of VOICES and VOWELS, with both couplings."""
+    return [
+        Pair(variant, vowel, *(_voice(variant, pressure, vowel, way) for way in ("one_way", "two_way")))
+        for variant, pressure in VOICES
+        for vowel in VOWELS
+    ]
+
+
+def _voice(variant: str, pressure_pa: float, vowel: str, coupling: str) -> SimulationResult:
+    model = {"variant": variant, "coupling": coupling}
+    return simulate(simulation_from_dict({"model": model, "vowel": vowel, "subglottal_pressure_pa": pressure_pa}))
+
+
+def effects(result: SimulationResult) -> dict[str, Any]:
+    """State, f_o, flow and level; ``skew``: by how much of a cycle the flow peaks after the area."""
+    keys = ("fo_hz", "ac_flow_ml_s", "mfdr_l_s2", "spl_30cm_db", "peak_area_mm2")
+    measured = {key: result.report.measures[key].value for key in keys}
+    bounds = result.report.cycle_bounds
+    skew = None
+    if result.report.state == "periodic" and bounds:
+        cycle = slice(*bounds)
+        area, flow = (result.arrays[name][cycle] for name in ("glottal_area_m2", "glottal_flow_m3_s"))
+        apart = (int(flow.argmax()) - int(area.argmax())) / len(area)
+        skew = (apart + 0.5) % 1.0 - 0.5
+    return {"state": result.report.state, **measured, "skew": skew}
+
+
+def fo_over_f1(pressure_pa: float = 800.0) -> list[dict[str, float]]:
+    """f_o of the human voice in the posture of the norms, under uniform tubes of falling F1."""
+    base = simulation_from_dict(
+        {"model": {"variant": "human", "coupling": "two_way"}, "activation": asdict(POSTURE)}
+    )  # fmt: skip
+    fold = prepare(base).fold
+    air = base.constants
+    below = airways("a", air.rho_a_kg_m3, air.c_a_m_s, DEFAULT_STEP_S)
+    section = below.supraglottal.section_length_m
+    rows = []
+    for f1 in TUBE_F1_HZ:
+        tube = Tract((TUBE_AREA_M2,) * round(air.c_a_m_s / (4 * f1) / section), section)
+        march = March(fold, DEFAULT_STEP_S, pressure_pa, 0.0, Airways(below.subglottal, tube, below.substeps))
+        march.start_flat()
+        area = march.run(round(0.6 / DEFAULT_STEP_S))[:, 0]
+        rows.append({"f1_hz": float(closed_glottis_formants(tube, 1).frequency_hz[0]), "fo_hz": _rate(area)})
+    return rows
+
+
+def _rate(area_m2: np.ndarray) -> float:
+    """Repetition rate of the last half of an area waveform at the default step, Hz, from its autocorrelation."""
+    wave = area_m2[len(area_m2) // 2 :] - area_m2[len(area_m2) // 2 :].mean()
+    spectrum = np.abs(np.fft.rfft(wave, 2 * len(wave))) ** 2
+    correlation = np.fft.irfft(spectrum)[: len(wave) // 4]
+    shortest = round(1 / 400 / DEFAULT_STEP_S)
+    peak = shortest + int(correlation[shortest:].argmax())
+    before, at, after = correlation[peak - 1 : peak + 2]
+    return float(1 / DEFAULT_STEP_S / (peak + (before - after) / (2 * (before - 2 * at + after))))
+
+
+def random_voices(variant: str, count: int = RANDOM_VOICES) -> list[Simulation]:
+    """Two-way coupled requests with activations, pressure (200 to 2000 Pa) and vowel drawn at random."""
+    rng = np.random.default_rng(SEED)
+    requests = []
+    for _ in range(count):
+        muscles = dict(zip(("ta", "ct", "lca", "ia", "pca"), rng.uniform(0, 1, 5).tolist(), strict=True))
+        muscles["pca"] *= 0.5 * rng.uniform() ** 2  # most postures adducted: open ones do not vibrate
+        requests.append(
+            simulation_from_dict(
+                {
+                    "model": {"variant": variant, "coupling": "two_way"},
+                    "activation": muscles,
+                    "subglottal_pressure_pa": float(rng.uniform(200, 2000)),
+                    "vowel": str(rng.choice(["i", "e", "AE", "a", "o", "u"])),
+                    "run": {"duration_s": RANDOM_RUN_S},
+                }
+            )
+        )
+    return requests
+
+
+def outcome(request: Simulation) -> str:
+    """How a run ended: its phonation state, "diverged", or "no posture"; in a worker."""
+    try:
+        return simulate(request).report.state
+    except DivergenceError:
+        return "diverged"
+    except VocalisError:
+        return "no posture"
+
+
+def halved(request: Simulation) -> tuple[float, float] | None:
+    """f_o and peak area at half the step, over those at the usual step, minus 1; None unless both are periodic."""
+    usual = simulate(request)
+    step = time_step_s(request.run, prepare(request).fold)
+    fine = simulate(replace(request, run=replace(request.run, time_step_s=step / 2)))
+    if {usual.report.state, fine.report.state} != {"periodic"}:
+        return None
+    ratios = [fine.report.measures[k].value / usual.report.measures[k].value - 1 for k in ("fo_hz", "peak_area_mm2")]
+    return (ratios[0], ratios[1])
+
+
+def robustness(variant: str, pool: ProcessPoolExecutor, count: int = RANDOM_VOICES) -> dict[str, Any]:
+    """Outcomes of the random voices, and how far half the step moves the first periodic ones."""
+    requests = random_voices(variant, count)
+    states = list(pool.map(outcome, requests, chunksize=5))
+    periodic = [request for request, state in zip(requests, states, strict=True) if state == "periodic"][:HALVED]
+    moved = [pair for pair in pool.map(halved, periodic) if pair is not None]
+    sizes = np.abs(np.array(moved)).reshape(-1, 2)
+    return {
+        "voices": count,
+        "outcomes": {state: states.count(state) for state in sorted(set(states))},
+        "halved": len(moved),
+        "fo_moved": [float(v) for v in np.percentile(sizes[:, 0], (50, 90))] if len(moved) else [],
+        "area_moved": [float(v) for v in np.percentile(sizes[:, 1], (50, 90))] if len(moved) else [],
+    }

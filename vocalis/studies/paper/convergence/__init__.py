@@ -1,0 +1,1 @@
+"""How far the paper's grid and step are from fine ones."""

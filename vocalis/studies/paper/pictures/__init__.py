@@ -1,0 +1,1 @@
+"""A picture of each claim, as SVG."""

@@ -1,0 +1,1 @@
+"""The scoreboard as HTML and as tables of the documentation."""

@@ -1,0 +1,1 @@
+"""The designed study of what the paper leaves open."""
