@@ -22,10 +22,7 @@ WEB_AND_PLOTS = {
     "rich",
 }
 #: What says how a fold is and how it is asked for.
-BASE = {
-    "errors",
-    *(f"spec.{name}" for name in ("fields", "fold_constants", "posture_sets", "simulation", "variants")),
-}
+BASE = {"errors", "spec"}
 PHYSICS = {"errors", "version", "spec", "kernels", "larynx", "fold", "airways", "measures"}
 #: For each room of vfcore, the rooms and modules it may import besides itself. A more specific name overrules its room.
 MAY_IMPORT = {
@@ -33,13 +30,6 @@ MAY_IMPORT = {
     "version": set(),
     "spec": {"errors", "version"},
     "spec.fields": {"errors"},
-    "spec.fold_constants": {"errors", "spec.fields"},
-    "spec.variants": {"spec.fold_constants"},
-    "spec.posture_sets": {"errors", "spec.fields", "spec.joints", "spec.muscles"},
-    "spec.simulation": {
-        "errors",
-        *(f"spec.{name}" for name in ("fields", "fold_constants", "posture_sets", "variants")),
-    },
     "kernels": set(),
     "larynx": BASE | {"kernels"},
     "larynx.posture": BASE | {"kernels", "spec.muscles"},

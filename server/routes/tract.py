@@ -10,8 +10,8 @@ from fastapi.responses import JSONResponse
 from vfcore.airways.coupled import tract_of
 from vfcore.airways.resonances import closed_glottis_formants, transfer_function
 from vfcore.spec.area_functions import area_function
-from vfcore.spec.document import simulation_from_dict
 from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import VARIANTS, VOWELS, Simulation
 from vocalis.server.http.openapi import problems
 from vocalis.server.schemas import answers
@@ -46,7 +46,7 @@ def tract(
     It is the tract that a run of this vowel, variant and air is heard through.
     """
     air = {name: value for name, value in (("rho_a_kg_m3", rho_a_kg_m3), ("c_a_m_s", c_a_m_s)) if value is not None}
-    return JSONResponse(_tract(simulation_from_dict({"vowel": vowel, "model": {"variant": variant}, "constants": air})))
+    return JSONResponse(_tract(resolve({"vowel": vowel, "model": {"variant": variant}, "constants": air})))
 
 
 @lru_cache(maxsize=64)

@@ -1,10 +1,9 @@
 """The request body at the wire: pydantic models made from the rows of ``vfcore.spec.schema``.
 
 Unit, range, label and help are declared once, in the core; here they become JSON Schema. The last word has
-vfcore.spec.document, which sees what a schema cannot say (a step too long for a grid, say).
+vfcore.spec.request, which sees what a schema cannot say (a step too long for a grid, say).
 """
 
-from itertools import groupby
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema, create_model, model_validator
@@ -12,7 +11,8 @@ from pydantic_core import PydanticCustomError
 
 from vfcore.runs.gesture.gesture import MOVABLE, Gesture, gesture_from_dict
 from vfcore.runs.gesture.track import LATEST_S, MOST_BREAKPOINTS
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.paths import NAMES_IN, OPTIONAL_PARTS
+from vfcore.spec.request import resolve
 from vfcore.spec.schema import parameter_schema
 from vfcore.spec.simulation import Simulation
 
@@ -71,9 +71,8 @@ def _whole(value: Any) -> Any:
 def _parts(suffix: str = "Body", moving: bool = False) -> tuple[dict[str, Any], dict[str, type[BaseModel]]]:
     """Fields at the top of a request, and one model per object in it."""
     top, objects = {}, {}
-    split = sorted((key.rpartition(".")[::2] for key in ROWS), key=lambda pair: pair[0])
-    for part, pairs in groupby(split, key=lambda pair: pair[0]):
-        fields = {name: _field(ROWS[f"{part}.{name}" if part else name], moving) for _, name in pairs}
+    for part, names in NAMES_IN.items():
+        fields = {name: _field(ROWS[f"{part}.{name}" if part else name], moving) for name in names}
         if part:
             objects[part] = create_model(f"{part.capitalize()}{suffix}", __config__=STRICT, **fields)
         else:
@@ -95,13 +94,11 @@ class _Kind(BaseModel):
 
 
 _TOP, _OBJECTS = _parts()
-#: Parts that may be null: a posture that is not given is solved from the muscles.
-MAY_BE_NULL = frozenset({"posture"})
 
 
 def _part_fields(objects: dict[str, type[BaseModel]]) -> dict[str, tuple[Any, Any]]:
     return {
-        name: (model | None, None) if name in MAY_BE_NULL else (model, Field(default_factory=model))
+        name: (model | None, None) if name in OPTIONAL_PARTS else (model, Field(default_factory=model))
         for name, model in objects.items()
     }
 
@@ -137,7 +134,7 @@ def gesture_of(body: BaseModel) -> Gesture:
 
 def simulation_of(body: BaseModel) -> Simulation:
     """The validated request; ParameterError for what the schema could not see."""
-    return simulation_from_dict(body.model_dump(exclude_unset=True, exclude={"fresh"}))
+    return resolve(body.model_dump(exclude_unset=True, exclude={"fresh"}))
 
 
 def allowed_at(path: str) -> str | None:

@@ -13,7 +13,8 @@ from vfcore.airways.resonances import closed_glottis_formants
 from vfcore.airways.tract import vowel_tract
 from vfcore.runs.one import prepare
 from vfcore.runs.result import ARRAYS
-from vfcore.spec.document import numeric_paths, simulation_from_dict
+from vfcore.spec.paths import NUMBERS
+from vfcore.spec.request import resolve
 from vfcore.spec.variants import VARIANTS
 
 OCTETS = {"Accept": "application/octet-stream"}
@@ -32,7 +33,7 @@ def test_health_says_version_engine_and_that_kernels_are_ready(client):
 def test_parameters_lists_every_number_a_request_may_set(client):
     answer = client.get("/parameters").json()
     rows = {row["key"]: row for row in answer["parameters"]}
-    assert set(numeric_paths()) <= set(rows)
+    assert set(NUMBERS) <= set(rows)
     assert {"key", "label", "unit", "default", "min", "max", "step", "group", "help"} <= set(rows["activation.ta"])
     assert {"presets", "vowels", "variants"} <= set(answer)
     assert "modal" in [preset["key"] for preset in answer["presets"]]
@@ -53,7 +54,7 @@ def test_measures_is_the_catalogue(client):
 def test_posture_answers_what_the_core_finds(client):
     body = {"kind": "simulation", "activation": {"ct": 0.7}}
     answer = client.post("/posture", json=body).json()
-    ready = prepare(simulation_from_dict(body))
+    ready = prepare(resolve(body))
     assert set(answer) >= {"posture", "coefficients", "static_shape"}
     assert answer["posture"]["strain"] == ready.posture.strain
     assert answer["posture"]["converged"] is True
@@ -84,7 +85,7 @@ def test_a_posture_given_directly_skips_the_muscles(client):
 
 @pytest.fixture(scope="module")
 def python_result():
-    return vfcore.simulate(simulation_from_dict(SHORT))
+    return vfcore.simulate(resolve(SHORT))
 
 
 def test_simulate_answers_the_result_document_and_an_id(client, python_result):
@@ -160,7 +161,7 @@ def test_a_tract_is_the_one_that_is_heard(client):
         for vowel in ("a", "i"):
             answer = client.get(f"/tract/{vowel}", params={"variant": variant, "c_a_m_s": 340}).json()
             document = {"vowel": vowel, "model": {"variant": variant}, "constants": {"c_a_m_s": 340}}
-            heard = tract_of(simulation_from_dict(document))
+            heard = tract_of(resolve(document))
             assert (answer["section_length_m"], answer["areas_m2"]) == (heard.section_length_m, list(heard.areas_m2))
     man, woman = (
         client.get("/tract/a", params={"variant": v}).json()["formants"][0] for v in ("human", "human_female")

@@ -9,7 +9,7 @@ from tests.support.separation_twin import TWINS, measured_voice
 from vfcore.errors import DivergenceError
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.one import prepare, simulate
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, SECTION_TRAVEL_S, Activation, Model, Run, Simulation
 
 PRINTED = {"speed_quotient": "1.52", "closed_quotient": "0.49"}  # by the paper, for the modal case
@@ -104,10 +104,9 @@ def pressures() -> str:
 
 def damping() -> str:
     changes = ({}, {"C_foun_pa_s": 50.0}, {"C_coup_pa_s_m": 100.0}, {"eta_m_pa_s": 5.0})
-    cases = (
-        (", ".join(f"`{k}` = {v:g}" for k, v in c.items()) or "the paper's", Simulation(constants=FoldConstants(**c)))
-        for c in changes
-    )
+    names = [", ".join(f"`{name}` = {value:g}" for name, value in change.items()) for change in changes]
+    folds = [PAPER_LARYNX.override(change) for change in changes]
+    cases = ((name or "the paper's", Simulation(larynx=fold)) for name, fold in zip(names, folds, strict=True))
     return runs("damper changed", cases, (*SOURCE, "spl_30cm_db"))
 
 

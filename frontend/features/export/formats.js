@@ -25,10 +25,10 @@ export function wavesCsv(result) {
 /** A Python script that computes the voice of `request`, a request document. Pure. */
 export function pythonCode(request) {
   return `import vfcore
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 
 request = ${pythonLiteral(request)}
-result = vfcore.simulate(simulation_from_dict(request))
+result = vfcore.simulate(resolve(request))
 print(result.report.state)
 for key, measure in result.report.measures.items():
     print(key, measure.value, measure.unit)

@@ -136,7 +136,7 @@ class GlidingFold:
         if request.constants is not self._constants or request.model is not self._model:
             self._constants, self._model = request.constants, request.model
             self._packed = packed(request.constants)
-            self._inferior_stiff = request.model.resolved().coupling_gradient == "inferior_stiff"
+            self._inferior_stiff = request.model.coupling_gradient == "inferior_stiff"
         at = (posture.strain, request.activation.ta, posture.glottal_half_angle_rad, rest_angle)
         longest_s = self._fill(
             *map(float, (*at, request.convergence_angle_rad)), self._inferior_stiff, self.time_step_s,

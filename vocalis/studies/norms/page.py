@@ -3,12 +3,11 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.larynx import CONSTANTS, PAPER_LARYNX
 from vfcore.spec.variants import VARIANTS
 from vocalis.studies.norms.report import calibration_rows, markdown, rows, summary
 from vocalis.studies.paper.claims.registry import CLAIMS
 
-_PAPER = FoldConstants()
 _DASH = "–"
 
 
@@ -38,12 +37,12 @@ def _table(header: Sequence[str], lines) -> str:
 
 
 def _constants(variant: str) -> str:
-    fields = FoldConstants.__dataclass_fields__
+    meta = {name: constant.metadata for name, constant in CONSTANTS.items()}
     return _table(
         ("constant", "name", "the paper", variant, "unit", "why"),
         (
-            (fields[c.name].metadata["symbol"], f"`{c.name}`", f"{getattr(_PAPER, c.name):.4g}", f"{c.value:.4g}",
-             fields[c.name].metadata["unit"], c.why)
+            (meta[c.name]["symbol"], f"`{c.name}`", f"{PAPER_LARYNX.value(c.name):.4g}", f"{c.value:.4g}",
+             meta[c.name]["unit"], c.why)
             for c in VARIANTS[variant].changes
         ),
     )  # fmt: skip

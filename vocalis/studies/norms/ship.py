@@ -15,7 +15,7 @@ from typing import Any
 
 from vfcore.io.atomic import write_bytes
 from vfcore.io.result_document import json_text
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 from vocalis.studies.norms.calibration import study_document
 from vocalis.studies.norms.coupling import effects, fo_over_f1, pairs, robustness
 from vocalis.studies.norms.page import tables
@@ -43,7 +43,7 @@ def claims(pool: ProcessPoolExecutor) -> dict[str, Any]:
     """The paper's claims but its cost, on the variants with each coupling."""
     columns = {}
     for variant, way in CLAIMED:
-        base = simulation_from_dict({"model": {"variant": variant, "coupling": way}})
+        base = resolve({"model": {"variant": variant, "coupling": way}})
         warm_up(base)
         found = gather(cases_for(base, PHYSICS), pool).evidence
         outcomes = judge(found, PHYSICS)
