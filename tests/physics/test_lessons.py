@@ -13,7 +13,7 @@ from vfcore.runs.one import simulate
 from vfcore.spec.paths import NUMBERS
 from vfcore.spec.request import resolve
 
-LESSONS = Path(__file__).parents[2] / "frontend" / "lessons"
+LESSONS = Path(__file__).parents[2] / "frontend" / "features" / "lessons"
 PANELS = {"waves", "voice", "folds", "compare", "measures"}
 INDEX = json.loads((LESSONS / "index.json").read_text(encoding="utf-8"))
 
@@ -39,7 +39,7 @@ def outcome(key: str, step: int):
 
 
 def test_the_index_lists_the_files_as_they_are():
-    assert {f"{row['key']}.json" for row in INDEX} | {"index.json"} == {path.name for path in LESSONS.iterdir()}
+    assert {f"{row['key']}.json" for row in INDEX} | {"index.json"} == {path.name for path in LESSONS.glob("*.json")}
     for row in INDEX:
         full = lesson(row["key"])
         assert row == {name: full[name] for name in ("key", "title", "about")} | {"steps": len(full["steps"])}

@@ -7,7 +7,7 @@ the metadata that ``quantity`` attaches to a dataclass field.
 import dataclasses
 import math
 import sys
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from functools import cache
 from numbers import Real
 from typing import Any
@@ -78,7 +78,7 @@ def part(kind: type, *, optional: bool = False) -> Any:
 
 def validate(instance: Any, prefix: str = "") -> None:
     """Check every declared field of a dataclass; raise ParameterError for the first bad one."""
-    kind: Hashable = type(instance)
+    kind: Any = type(instance)
     for name, low, high, spec in _declared(kind):
         value = getattr(instance, name)
         if type(value) is float and low <= value <= high:  # what nearly every value is: not NaN, and in range
