@@ -81,7 +81,9 @@ def test_a_request_is_the_patch(modules):
     assert answer["breathy"] == kept | {"activation.pca": 0.5}, "a preset leaves the vowel and the run alone"
     assert answer["chosen"] == "breathy"
     assert modules(run, [document, {"vowel": "i"}, defaults])["preset"] == "modal"
-    assert modules(run, [document, {}, defaults | {"activation.pca": 0.5}])["preset"] == "breathy", "by what is in force"
+    assert modules(run, [document, {}, defaults | {"activation.pca": 0.5}])["preset"] == "breathy", (
+        "by what is in force"
+    )
     given = {"posture.strain": 0.1}
     assert modules(run, [document, given, defaults])["preset"] is None, "a posture given directly is no preset"
 

@@ -257,8 +257,9 @@ def test_old_values_stay_until_the_new_ones_are_there_and_a_failed_call_is_repea
     value = f"async () => (await import('/state/request.js')).values.value['{C_COUP}']"
     assert here.page.evaluate(value) == 10
     assert here.page.locator("#control-model-coupling").input_value() == "one_way"
-    while len(calls) < 2:
-        here.page.wait_for_timeout(50)
+    for _ in range(100):
+        if len(calls) < 2:
+            here.page.wait_for_timeout(50)
     calls[1].continue_()
     here.settle()
     assert here.page.evaluate(value) == 36
