@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.fold_harness import advance, product_and_twin, put_state
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.contact import contact_pressure, touching
 from vfcore.kernels.layout import RECORD
 
@@ -32,7 +32,7 @@ def test_the_record_holds_the_largest_push_where_it_acts_and_the_area_in_contact
     w_m = twin.medial[1:-1] - 1e-4
     w_m[2, 1:4] += [2e-4, 3e-4, 2e-4]  # column 3 of the grid
     w_m[7, 5] += 2.5e-4  # column 8, the inferior edge: half a cell
-    march = March(fold, 1e-6, 0.0)
+    march = TimeMarch(fold, 1e-6, 0.0)
     put_state(march, twin.zero_state()._replace(w_m=w_m))
     sample = dict(zip(RECORD, advance(march, 1)[0], strict=True))
     assert sample["contact_pressure_max_pa"] == pytest.approx(K * 2e-4, rel=1e-9)
@@ -43,6 +43,6 @@ def test_the_record_holds_the_largest_push_where_it_acts_and_the_area_in_contact
 @pytest.mark.kernel
 def test_without_contact_there_is_no_place_and_no_pressure():
     fold, twin = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.05, nx=12, ny=6)
-    sample = dict(zip(RECORD, advance(March(fold, 1e-6, 0.0), 1)[0], strict=True))
+    sample = dict(zip(RECORD, advance(TimeMarch(fold, 1e-6, 0.0), 1)[0], strict=True))
     assert np.isnan(sample["contact_column"])
     assert sample["contact_pressure_max_pa"] == sample["contact_area_m2"] == 0

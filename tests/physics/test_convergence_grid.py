@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, NO_DAMPERS, advance, get_state, product_and_twin, put_state
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.statics import static_shape_of
 
 GRIDS = [(11, 6), (21, 11), (41, 21)]
@@ -19,7 +19,7 @@ def test_the_membrane_alone_rings_at_the_frequencies_of_a_continuous_one(rows, a
         fold, twin = product_and_twin(0.057, 0.4, 0.5, theta_conv=0.3, nx=nx, ny=ny, **free)
         shape = np.outer(np.sin(np.pi * twin.x / twin.k.L), np.cos(along_y * np.pi * twin.y / twin.k.b))[1:-1]
         dt, every = 2e-6, 40
-        march = March(fold, dt, 0.0)
+        march = TimeMarch(fold, dt, 0.0)
         put_state(march, twin.zero_state()._replace(w_m=1e-6 * shape))
         weight = shape * twin.row_width
         coordinate = []

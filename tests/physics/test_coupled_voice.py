@@ -10,7 +10,7 @@ from tests.support.fold_harness import get_state, product_and_twin
 from vfcore.airways.coupled import Airways, airways
 from vfcore.airways.tract import Tract
 from vfcore.fold.assemble import beam, membrane, with_constants
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.runs.one import simulate
 from vfcore.spec.document import simulation_from_dict
@@ -21,7 +21,7 @@ DAMPED = {"C_coup_pa_s_m": 300.0}
 FLOW, INLET, OUTLET = (RECORD.index(name) for name in ("glottal_flow_m3_s", "inlet_pressure_pa", "outlet_pressure_pa"))
 
 
-def step(march: March) -> np.ndarray:
+def step(march: TimeMarch) -> np.ndarray:
     """One step; its line of the record."""
     record = np.empty(len(RECORD))
     march._advance(march.buffer, march.scalars, np.array([P_S]), 1, record, march.air)
@@ -35,7 +35,7 @@ def test_along_a_voice_flow_pressures_and_forces_equal_the_twins():
     fold = with_constants(fold, **DAMPED)
     twin = replace(twin, constants=fold.constants)
     ways = airways("a", RHO, C, SECTION_TRAVEL_S)
-    march, air = March(fold, SECTION_TRAVEL_S, P_S, 0.0, ways), AirwaysTwin(ways)
+    march, air = TimeMarch(fold, SECTION_TRAVEL_S, P_S, 0.0, ways), AirwaysTwin(ways)
     march.start_flat()
     seen, room_before = [], np.zeros(fold.nx)
     for n in range(1400):
@@ -77,7 +77,7 @@ def test_in_wide_airways_the_voice_becomes_that_of_one_way_coupling():
     fold = with_constants(fold, **DAMPED)
     records = {}
     for factor in (None, 25.0, 100.0):
-        march = March(fold, DEFAULT_STEP_S, P_S, 0.0, wide(factor) if factor else None)
+        march = TimeMarch(fold, DEFAULT_STEP_S, P_S, 0.0, wide(factor) if factor else None)
         march.start_flat()
         records[factor] = march.run(280)
     size = records[None][:, FLOW].max()

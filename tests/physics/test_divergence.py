@@ -10,7 +10,7 @@ import vfcore
 from tests.support.fold_harness import MODAL, advance, product_and_twin
 from vfcore.errors import DivergenceError, VocalisError
 from vfcore.fold.assemble import membrane
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import SAFETY, longest_stable_step_s
 from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M
 from vfcore.spec.simulation import Run, Simulation
@@ -21,7 +21,7 @@ def too_long_step(fold):
 
 
 def diverging(fold):
-    march = March(fold, too_long_step(fold), 1000.0)
+    march = TimeMarch(fold, too_long_step(fold), 1000.0)
     march.start_flat()
     return march
 
@@ -68,7 +68,7 @@ def test_it_is_caught_in_the_chunk_in_which_it_starts():
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 def test_a_state_that_is_not_a_larynx_any_more_is_refused(value):
     fold, _ = product_and_twin(**MODAL)
-    march = March(fold, 1e-6, 0.0)
+    march = TimeMarch(fold, 1e-6, 0.0)
     membrane(march.buffer, fold)[3, 7] = value
     with pytest.raises(DivergenceError):
         march.run(10)

@@ -9,7 +9,7 @@ import pytest
 
 from tests.support.fold_harness import NO_DAMPERS, SHEARS, advance, half_step_back, product_and_twin, put_state
 from tests.support.fold_harness import get_state as state_of
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 POSTURE = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.02, "theta_conv": 0.05}
@@ -31,7 +31,7 @@ def bounce(split, shear, steps=160, **constants):
     fold, twin = product_and_twin(**POSTURE, nx=12, ny=6, shear=shear, **(NO_DAMPERS | constants))
     system, dt = twin.linear_operators(), DEFAULT_STEP_S / split
     rest, mass = np.linalg.solve(system.K, system.load), np.diag(system.M)
-    march, start = March(fold, dt, 0.0), thrown(twin)
+    march, start = TimeMarch(fold, dt, 0.0), thrown(twin)
     put_state(march, half_step_back(twin, start, dt))
     total, stored, before = [], [], state_of(march)
     for _ in range(steps * split):

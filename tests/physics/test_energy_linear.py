@@ -14,7 +14,7 @@ from tests.support.fold_harness import (
     product_and_twin,
     put_state,
 )
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 
@@ -29,7 +29,7 @@ def plucked(twin, count=12, size=1e-5):
 
 def states_of(fold, twin, start, dt, steps):
     """States (q, v) at whole steps: velocity as the mean of the two half steps around."""
-    march = March(fold, dt, 0.0)
+    march = TimeMarch(fold, dt, 0.0)
     put_state(march, half_step_back(twin, start, dt))
     before = get_state(march)
     for _ in range(steps):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import advance, product_and_twin
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 
 AREA, FLOW, CONTACT = (RECORD.index(name) for name in ("glottal_area_m2", "glottal_flow_m3_s", "contact_area_m2"))
@@ -12,7 +12,7 @@ AREA, FLOW, CONTACT = (RECORD.index(name) for name in ("glottal_area_m2", "glott
 
 def first_sample(pressure_pa=1000.0, **posture):
     fold, twin = product_and_twin(nx=12, ny=6, **posture)
-    return advance(March(fold, 1e-6, pressure_pa), 1)[0], twin
+    return advance(TimeMarch(fold, 1e-6, pressure_pa), 1)[0], twin
 
 
 @pytest.mark.kernel

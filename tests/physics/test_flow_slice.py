@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 from tests.support.fold_harness import product_and_twin
 from vfcore.fold.assemble import membrane
-from vfcore.fold.march import March
-from vfcore.kernels.flow import share_held, share_shut
+from vfcore.fold.march import TimeMarch
+from vfcore.kernels.flow import closed_fraction, held_fraction
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import RECORD
 from vfcore.kernels.surface import surface_pressures
@@ -32,7 +32,7 @@ def pressures(gaps, pressure_pa=P_S, mu=MU, alpha_s=ALPHA_S):
 def flux(gaps, pressure_pa=P_S, mu=MU, alpha_s=ALPHA_S):
     """Flow per width, m²/s, of a slice with these gaps: one step of the kernel with every other slice shut."""
     fold, _ = product_and_twin(0.057, 0.4, 0.0, nx=NX, ny=NY, mu_a_pa_s=mu, rho_a_kg_m3=RHO, alpha_s=alpha_s)
-    march = March(fold, 1e-6, pressure_pa)
+    march = TimeMarch(fold, 1e-6, pressure_pa)
     medial = np.full((NY, NX), -1.0)
     medial[:, SLICE] = np.array(gaps) / 2
     membrane(march.buffer, fold, "G")[:] = medial
@@ -152,5 +152,5 @@ def test_what_a_node_holds_is_the_mean_over_the_step_in_which_a_slice_closes_the
     change, instants = 1e-5, (np.arange(400) + 0.5) / 400 - 0.5
     half_gaps = np.array([1e-3, first * change, 1e-3, (first + behind) * change, 1e-3, 1e-3])
     through = np.mean([pressures(2 * (half_gaps + speed * change * at)) for at in instants], axis=0)
-    shut = share_shut(half_gaps[1], 1 / change)
-    assert P_S * share_held(half_gaps[3], 1 / change, shut) == pytest.approx(through[1], abs=P_S / 200)
+    shut = closed_fraction(half_gaps[1], 1 / change)
+    assert P_S * held_fraction(half_gaps[3], 1 / change, shut) == pytest.approx(through[1], abs=P_S / 200)

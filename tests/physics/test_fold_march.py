@@ -10,7 +10,7 @@ import vfcore
 import vfcore.fold.march
 from tests.support.fold_harness import MODAL, advance, product_and_twin
 from vfcore.errors import Cancelled
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Run, Simulation
 
@@ -18,7 +18,7 @@ COLUMN = {name: k for k, name in enumerate(RECORD)}
 
 
 def modal_march(dt=DEFAULT_STEP_S, pressure_pa=1000.0):
-    march = March(product_and_twin(**MODAL)[0], dt, pressure_pa)
+    march = TimeMarch(product_and_twin(**MODAL)[0], dt, pressure_pa)
     march.start_flat()
     return march
 
@@ -163,7 +163,7 @@ def test_a_cycle_read_back_is_the_motion_that_was_recorded(dt):
 
 def test_the_pressures_of_a_cycle_are_those_of_the_rising_lung_pressure_then():
     fold, _ = product_and_twin(**MODAL)
-    march = March(fold, DEFAULT_STEP_S, 1000.0, rise_s=0.02)
+    march = TimeMarch(fold, DEFAULT_STEP_S, 1000.0, rise_s=0.02)
     march.start_flat()
     march.run(1000)
     cycle = march.cycle(300, 400, 10)

@@ -6,12 +6,12 @@ import pytest
 import vfcore
 from vfcore.errors import ParameterError
 from vfcore.fold import assemble
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import SAFETY, longest_stable_step_s
 from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.layout import SCALARS, Layout
-from vfcore.kernels.reassemble import target_kernel
-from vfcore.runs.gesture.glide import GlidingFold, Goal, packed
+from vfcore.kernels.reassemble import reassemble_kernel
+from vfcore.runs.gesture.glide import FoldSpec, GlidingFold, packed
 from vfcore.runs.one import prepare
 from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Model, PostureOverride, Run, Simulation
 
@@ -26,7 +26,7 @@ def filled(request: Simulation) -> tuple[np.ndarray, np.ndarray, float]:
     scalars, work = np.empty(len(SCALARS)), np.empty(3 * request.run.nx)
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
     inferior_stiff = request.model.resolved().coupling_gradient == "inferior_stiff"
-    longest_s = target_kernel(request.run.nx, request.run.ny, ready.fold.rotation)(
+    longest_s = reassemble_kernel(request.run.nx, request.run.ny, ready.fold.rotation)(
         ready.posture.strain, request.activation.ta, ready.posture.glottal_half_angle_rad, rest_angle,
         request.convergence_angle_rad, inferior_stiff, DEFAULT_STEP_S, packed(request.constants),
         buffer, scalars, work,
@@ -80,13 +80,13 @@ def test_the_banded_inverse_is_the_inverse():
 
 def test_a_goal_that_means_nothing_is_refused_and_the_fold_goes_on():
     ready = prepare(START)
-    march = March(ready.fold, DEFAULT_STEP_S, 800.0)
+    march = TimeMarch(ready.fold, DEFAULT_STEP_S, 800.0)
     march.start_flat()
-    gliding = GlidingFold(march, Goal(START, ready.posture))
+    gliding = GlidingFold(march, FoldSpec(START, ready.posture))
     slack = vfcore.FoldConstants(sigma_1_muc_pa=0.0, sigma_2_muc_pa=0.0)
     with pytest.raises(ParameterError, match="no stiffness left"):
-        gliding.advance(Goal(Simulation(run=START.run, constants=slack), ready.posture), 800.0, 45)
+        gliding.advance(FoldSpec(Simulation(run=START.run, constants=slack), ready.posture), 800.0, 45)
     stiff = vfcore.FoldConstants(C_col_pa_s_m=1e5)
     with pytest.raises(ParameterError, match="need a shorter step"):
-        gliding.advance(Goal(Simulation(run=START.run, constants=stiff), ready.posture), 800.0, 45)
-    assert np.isfinite(gliding.advance(Goal(START, ready.posture), 900.0, 45)[:, :2]).all()
+        gliding.advance(FoldSpec(Simulation(run=START.run, constants=stiff), ready.posture), 800.0, 45)
+    assert np.isfinite(gliding.advance(FoldSpec(START, ready.posture), 900.0, 45)[:, :2]).all()

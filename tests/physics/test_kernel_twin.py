@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, advance, get_state, product_and_twin, put_state
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
@@ -43,7 +43,7 @@ def closing_state(twin):
 
 
 def compare(fold, twin, start, pressure_pa, steps, dt=DEFAULT_STEP_S):
-    march = March(fold, dt, pressure_pa)
+    march = TimeMarch(fold, dt, pressure_pa)
     put_state(march, start)
     record = advance(march, steps)
     reference = twin.run(start, pressure_pa, dt, steps, keep_every=1)
@@ -94,7 +94,7 @@ def test_a_shorter_step_and_a_sparser_record_are_the_same_motion():
     fold, twin = product_and_twin(**MODAL, nx=12, ny=6)
     start, dt = closing_state(twin), DEFAULT_STEP_S / 4
     reference = twin.run(start, 800.0, dt, 40)
-    march = March(fold, dt, 800.0)
+    march = TimeMarch(fold, dt, 800.0)
     put_state(march, start)
     record = march.run(10)
     assert march.record_every == 4
@@ -106,7 +106,7 @@ def test_a_shorter_step_and_a_sparser_record_are_the_same_motion():
 def test_a_rising_lung_pressure_equals_the_twin_under_the_same_ramp():
     fold, twin = product_and_twin(**MODAL)
     rise = 0.010
-    march = March(fold, DEFAULT_STEP_S, 1000.0, rise)
+    march = TimeMarch(fold, DEFAULT_STEP_S, 1000.0, rise)
     march.start_flat()
     advance(march, 700)
     reference = twin.run(twin.initial_state(), lambda t: 1000.0 * min(t / rise, 1.0), DEFAULT_STEP_S, 700)

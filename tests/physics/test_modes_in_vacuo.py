@@ -18,7 +18,7 @@ from tests.support.fold_harness import (
     product_and_twin,
     put_state,
 )
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.spec.simulation import PAPER_STEP_S
 
@@ -37,7 +37,7 @@ def ring(fold, twin, chosen, dt, steps, every):
     """Modal coordinates (samples, modes) of a march that starts with amplitude 1 in each of ``chosen``."""
     rest, _, shapes = modes_of(twin)
     start = twin.unpack(rest + shapes[:, chosen].sum(axis=1), 0.0 * rest)
-    march = March(fold, dt, 0.0)
+    march = TimeMarch(fold, dt, 0.0)
     put_state(march, half_step_back(twin, start, dt))
     mass = np.diag(twin.linear_operators().M)
     weights = shapes * mass[:, None]

@@ -8,7 +8,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin, put_state
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import SAFETY, longest_stable_step_s
 from vfcore.fold.statics import static_shape_of
 
@@ -29,7 +29,7 @@ def growth(fold, twin, dt, steps=1500):
     shape = static_shape_of(fold)
     phi = np.diff(shape.w_m, axis=0)[:, 1:-1].T / fold.dy if fold.rotation else twin.zero_state().phi
     rest = twin.zero_state()._replace(w_m=shape.w_m[:, 1:-1].T, w_b=shape.w_b[1:-1], phi=phi)
-    march = March(fold, dt, 0.0)
+    march = TimeMarch(fold, dt, 0.0)
     rough = 1e-12 * np.random.default_rng(0).standard_normal(rest.w_m.shape)
     put_state(march, rest._replace(w_m=rest.w_m + rough, w_b=rest.w_b + rough[:, 0]))
     largest = 0.0

@@ -5,7 +5,7 @@ import pytest
 
 from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin
 from vfcore.fold.assemble import beam, membrane, with_constants
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import time_step_s
 from vfcore.fold.statics import static_shape_of
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run
@@ -43,7 +43,7 @@ def test_the_direct_solve_equals_the_products_own_damped_motion_from_flat(postur
     fold, _ = product_and_twin(**posture, shear=shear)
     shape, heavy = static_shape_of(fold), with_constants(fold, C_coup_pa_s_m=150.0, C_foun_pa_s=40.0)
     step = time_step_s(Run(), heavy)
-    march = March(heavy, step, 0.0)
+    march = TimeMarch(heavy, step, 0.0)
     march.start_flat()
     advance(march, round(0.5 / step))
     length = fold.coefficients.length_m
@@ -68,7 +68,7 @@ def test_every_force_balances_at_the_static_shape(posture, shear):
 @pytest.mark.parametrize("name", ["modal, closed", "wide open", "bowed"])
 def test_a_run_from_the_static_shape_without_pressure_stays_there(name, shear):
     fold, _ = product_and_twin(**POSTURES[name], shear=shear)
-    shape, march = static_shape_of(fold), March(fold, DEFAULT_STEP_S, 0.0)
+    shape, march = static_shape_of(fold), TimeMarch(fold, DEFAULT_STEP_S, 0.0)
     march.start_static(shape)
     advance(march, 700)
     assert np.abs(membrane(march.buffer, fold) - shape.w_m).max() < 1e-12

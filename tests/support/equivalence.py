@@ -14,7 +14,7 @@ import numpy as np
 
 import vfcore
 from vfcore.errors import VocalisError
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.measures.catalogue import MeasureReport
 from vfcore.runs.many import run_points
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Activation, Simulation
@@ -30,7 +30,7 @@ BOUNDS = (
 SAME_STATE = 0.98
 
 
-class PlainMarch(March):
+class PlainMarch(TimeMarch):
     """The plain loop at the paper's step, every sixteenth step recorded, in the place of the product's march."""
 
     def run(self, samples, progress=None, stop=None):
@@ -62,7 +62,7 @@ def random_request(rng) -> Simulation:
 
 def compare(request: Simulation) -> Comparison:
     fast = vfcore.simulate(request)
-    with mock.patch.object(sys.modules["vfcore.runs.one"], "March", PlainMarch):
+    with mock.patch.object(sys.modules["vfcore.runs.one"], "TimeMarch", PlainMarch):
         slow = vfcore.simulate(request)
     return deviations(fast.report, slow.report)
 

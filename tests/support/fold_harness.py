@@ -4,7 +4,7 @@ import numpy as np
 
 from tests.support.fold_twin import FoldTwin, State
 from vfcore.fold.assemble import Fold, assemble, beam, membrane
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.larynx.tissue.coefficients import coefficients
 from vfcore.spec.fold_constants import FoldConstants
@@ -40,7 +40,7 @@ def product_and_twin(
     return fold, FoldTwin(strain, a_ta, theta_g, theta_conv, nx, ny, coupling_gradient, shear, numbers)
 
 
-def put_state(march: March, state: State) -> None:
+def put_state(march: TimeMarch, state: State) -> None:
     """Load a twin state, last velocity increments 0 (what the twin's own first step assumes)."""
     inner = slice(1, -1)
     for name, value in (("w", state.w_m), ("v", state.v_m), ("v_star", state.v_m)):
@@ -52,7 +52,7 @@ def put_state(march: March, state: State) -> None:
         beam(march.buffer, march.fold, name)[inner] = value
 
 
-def get_state(march: March) -> State:
+def get_state(march: TimeMarch) -> State:
     """A copy of the moving fields in the twin's arrangement."""
 
     def m(name):
@@ -64,7 +64,7 @@ def get_state(march: March) -> State:
     return State(m("w"), b("w_b"), m("phi")[:, :-1], m("v"), b("v_b"), m("vphi")[:, :-1])
 
 
-def advance(march: March, steps: int) -> np.ndarray:
+def advance(march: TimeMarch, steps: int) -> np.ndarray:
     """Move on by ``steps`` steps, every one recorded: (steps, 5), layout.RECORD."""
     record = np.empty((steps, len(RECORD)))
     numbers = np.arange(march.steps, march.steps + steps)

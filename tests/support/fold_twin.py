@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from tests.support.coefficient_twin import coefficients
-from vfcore.kernels.flow import STILL_M
+from vfcore.kernels.flow import MIN_GAP_CHANGE_M
 from vfcore.spec.fold_constants import FoldConstants
 
 
@@ -206,7 +206,7 @@ class FoldTwin:
         air, room = self.flow(w_m, P_s), self.medial - self.whole(w_m)
         to_here = np.minimum.accumulate(room[:, ::-1], axis=1)[:, ::-1]  # smallest from the inlet on
         pushed = P_s * dt**2 / self.k.rho_s  # by the pressure that comes and goes, in one step
-        moved = np.abs(room.min(axis=1) - room_before) + pushed + STILL_M
+        moved = np.abs(room.min(axis=1) - room_before) + pushed + MIN_GAP_CHANGE_M
         shut = np.clip(0.5 - to_here / moved[:, None], 0.0, 1.0)
         shut_nearer = np.pad(shut, ((0, 0), (0, 1)))[:, 1:]
         attached = np.arange(self.ny) > air.j_sep[:, None]

@@ -28,7 +28,12 @@ NUMBERS = (
     ("vfcore.runs.one", "PHASES", "1", "instants of the stored cycle"),
     ("vfcore.runs.one", "UNREPEATED_S", "s", "length stored instead of a cycle when nothing repeats"),
     ("vfcore.kernels.flow", "SMALLEST_GAP_M", "m", "gap below which reciprocals stop growing"),
-    ("vfcore.kernels.flow", "STILL_M", "m", "change of a slice's smallest half gap that a step assumes at least"),
+    (
+        "vfcore.kernels.flow",
+        "MIN_GAP_CHANGE_M",
+        "m",
+        "change of a slice's smallest half gap that a step assumes at least",
+    ),
     ("vfcore.kernels.flow", "SMALLEST_ROOT", "Pa s/m", "keeps the flux finite where no pressure drives it"),
     ("vfcore.kernels.posture", "TOLERANCE", "1", "posture residual over the load scale of its equation"),
     ("vfcore.kernels.posture", "LONGEST_STEP", "1", "longest continuation step, as a share of the load"),

@@ -10,8 +10,8 @@ from vfcore.airways.coupled import airways_of, tract_of
 from vfcore.airways.sound import measured_sound
 from vfcore.errors import DivergenceError, ParameterError, VocalisError
 from vfcore.fold.assemble import Fold
-from vfcore.fold.march import March
-from vfcore.fold.march_many import FLOW, Motion, Outcome, march_many
+from vfcore.fold.march import TimeMarch
+from vfcore.fold.march_many import FLOW, MarchInput, MarchResult, march_many
 from vfcore.fold.stability import time_step_s
 from vfcore.fold.statics import static_shape_of
 from vfcore.larynx.posture.equilibrium import solve_each_posture
@@ -95,46 +95,49 @@ def _points(requests, stop, keys, single_precision) -> Iterator[Point]:
             yield done[place]
 
 
-def _motion(request: Simulation, fold: Fold) -> Motion:
+def _motion(request: Simulation, fold: Fold) -> MarchInput:
     run = request.run
     start = static_shape_of(fold) if run.start == "static" else None
     step_s = time_step_s(run, fold)
-    motion = Motion(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
-    return motion._replace(left_out=unread(round(run.duration_s / motion.sample_s), motion.sample_s))
+    motion = MarchInput(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+    return motion._replace(flow_only_samples=unread(round(run.duration_s / motion.sample_s), motion.sample_s))
 
 
-def _coupled(request: Simulation, fold: Fold, stop) -> Outcome:
+def _coupled(request: Simulation, fold: Fold, stop) -> MarchResult | DivergenceError:
     """A fold coupled to its airways marches alone, and in double precision: each has its own tract in the loop."""
     motion = _motion(request, fold)
     beside = airways_of(request, motion.time_step_s)
-    march = March(fold, motion.time_step_s, motion.pressure_pa, motion.rise_s, beside)
+    march = TimeMarch(fold, motion.time_step_s, motion.pressure_pa, motion.rise_s, beside)
     march.start_flat() if motion.start is None else march.start_static(motion.start)
     try:
         record = march.run(round(motion.duration_s / motion.sample_s), None, stop)
     except DivergenceError as error:
-        return Outcome(None, None, motion.sample_s, error)
-    return Outcome(record, record[:, FLOW], motion.sample_s, None)
+        return error
+    return MarchResult(record, record[:, FLOW], motion.sample_s)
 
 
-def _one_by_one(block, marched: Iterator[tuple[int, Outcome]], keys) -> Iterator[tuple[int, Point]]:
+def _one_by_one(
+    block, marched: Iterator[tuple[int, MarchResult | DivergenceError]], keys
+) -> Iterator[tuple[int, Point]]:
     for place, outcome in marched:
         request, (posture, fold) = block[place]
         yield place, _reduced(request, posture, fold, outcome, keys)
 
 
-def _side_by_side(block, marched: Iterator[tuple[int, Outcome]], keys) -> Iterator[tuple[int, Point]]:
+def _side_by_side(
+    block, marched: Iterator[tuple[int, MarchResult | DivergenceError]], keys
+) -> Iterator[tuple[int, Point]]:
     """The same, neighbours that are alike measured together, and alone those without a sound."""
 
-    def likeness(one: tuple[int, Outcome]):
+    def likeness(one: tuple[int, MarchResult | DivergenceError]):
         place, outcome = one
-        flow = outcome.flow_m3_s
-        if flow is None or not np.isfinite(flow).all():
+        if isinstance(outcome, DivergenceError) or not np.isfinite(outcome.flow_m3_s).all():
             return None
-        return tract_of(block[place][0]), outcome.sample_s, len(flow), len(outcome.record)
+        return tract_of(block[place][0]), outcome.sample_s, len(outcome.flow_m3_s), len(outcome.record)
 
     for kind, neighbours in groupby(marched, likeness):
         while group := list(islice(neighbours, TOGETHER)):
-            shared = kind and Together([outcome for _, outcome in group], kind[0])
+            shared = kind and Together([run for _, run in group if isinstance(run, MarchResult)], kind[0])
             for nth, (place, outcome) in enumerate(group):
                 request, (posture, fold) = block[place]
                 yield place, _reduced(request, posture, fold, outcome, keys, shared and (shared, nth))
@@ -144,12 +147,12 @@ def _reduced(
     request: Simulation,
     posture: PostureSolution,
     fold: Fold,
-    outcome: Outcome,
+    outcome: MarchResult | DivergenceError,
     keys,
     shared: tuple[Together, int] | None = None,
 ) -> Point:
-    if outcome.problem is not None:
-        return Point(None, None, outcome.problem)
+    if isinstance(outcome, DivergenceError):
+        return Point(None, None, outcome)
     flow_m3_s, sample_s = outcome.flow_m3_s, outcome.sample_s
     left_out = len(flow_m3_s) - len(outcome.record)
     if shared:

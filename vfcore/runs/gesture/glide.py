@@ -17,12 +17,12 @@ import numpy as np
 
 from vfcore.errors import ParameterError
 from vfcore.fold import assemble
-from vfcore.fold.march import March, diverged
+from vfcore.fold.march import TimeMarch, diverged
 from vfcore.fold.stability import SAFETY, longest_stable_step_s
 from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M, step_kernel
 from vfcore.kernels.glide import glide_kernel
 from vfcore.kernels.layout import RECORD, Layout
-from vfcore.kernels.reassemble import target_kernel
+from vfcore.kernels.reassemble import reassemble_kernel
 from vfcore.kernels.tissue import Constants
 from vfcore.larynx.posture.solution import PostureSolution
 from vfcore.runs.one import fold_of
@@ -33,7 +33,7 @@ from vfcore.spec.simulation import Model, Simulation
 STRETCH_STEPS = 10
 
 
-class Goal(NamedTuple):
+class FoldSpec(NamedTuple):
     """What a fold is made of: the request and the posture that was found for it."""
 
     request: Simulation
@@ -41,17 +41,21 @@ class Goal(NamedTuple):
 
 
 class GlidingFold:
-    """A fold under the step, block by block. ``goal`` and ``pressure_pa`` are those at the end of the last block."""
+    """A fold under the step, block by block. ``spec`` and ``pressure_pa`` are those at the end of the last block."""
 
-    def __init__(self, march: March, goal: Goal):
+    def __init__(self, march: TimeMarch, spec: FoldSpec):
         fold = march.fold
-        self.goal, self.pressure_pa = goal, march.pressure_pa
+        self.spec, self.pressure_pa = spec, march.pressure_pa
         self.time_step_s = march.time_step_s
         self.steps = 0
         self._fold: assemble.Fold | None = fold
         self._buffer, self._scalars = march.buffer, march.scalars
         grid = (fold.nx, fold.ny, fold.rotation)
-        self._advance, self._between, self._fill = step_kernel(*grid), glide_kernel(*grid), target_kernel(*grid)
+        self._advance, self._between, self._reassembled = (
+            step_kernel(*grid),
+            glide_kernel(*grid),
+            reassemble_kernel(*grid),
+        )
         self._air = None if march.air is None else march.air.copy()
         self._layout = layout = Layout(fold.nx, fold.ny)
         self._beyond = assemble.beyond(self._buffer, layout)
@@ -66,29 +70,29 @@ class GlidingFold:
 
     @property
     def fold(self) -> assemble.Fold:
-        """The fold of ``goal``, made when it is asked for: the step has its own numbers of it."""
+        """The fold of ``spec``, made when it is asked for: the step has its own numbers of it."""
         if self._fold is None:
-            self._fold = fold_of(*self.goal)
+            self._fold = fold_of(*self.spec)
         return self._fold
 
     @property
     def medial_m(self) -> np.ndarray:
-        """The medial plane (ny, nx) of ``goal``, m."""
+        """The medial plane (ny, nx) of ``spec``, m."""
         return assemble.membranes(self._rest, self._layout, "G")[:, :, 0]
 
     def advance(
-        self, to: Goal, pressure_pa: float, steps: int, look_at: int = 0, out: np.ndarray | None = None
+        self, to: FoldSpec, pressure_pa: float, steps: int, look_at: int = 0, out: np.ndarray | None = None
     ) -> np.ndarray:
-        """Move to another goal of the same grid and another pressure in ``steps``; (steps, 7), layout.RECORD.
+        """Move to another spec of the same grid and another pressure in ``steps``; (steps, 7), layout.RECORD.
 
         ``look_at``: the step, a multiple of STRETCH_STEPS, after which ``seen`` is taken, 0 for not at all; looking
         changes nothing. ``out``: where the record goes, a new array without it.
-        Raises ParameterError for a goal that cannot be reached with this step or has no stiffness left, and
+        Raises ParameterError for a spec that cannot be reached with this step or has no stiffness left, and
         DivergenceError when the fold leaves all bounds.
         """
-        gliding = to is not self.goal
+        gliding = to is not self.spec
         if gliding:
-            self._aim(to)
+            self._reassemble(to)
         record = np.empty((steps, len(RECORD))) if out is None else out
         rows = record.reshape(-1)
         if pressure_pa != self.pressure_pa or len(self._pressure) != steps or self._pressure[-1] != pressure_pa:
@@ -105,7 +109,7 @@ class GlidingFold:
         if gliding:
             self._rest, self._rest_to = self._rest_to, self._rest
             self._scalars, self._scalars_to = self._scalars_to, self._scalars
-            self.goal, self._fold = to, None
+            self.spec, self._fold = to, None
         self.pressure_pa = pressure_pa
         self.steps += steps
         if self._beyond.any():
@@ -129,7 +133,7 @@ class GlidingFold:
             self._pressure, begin, end, STRETCH_STEPS, rows, self._air,
         )  # fmt: skip
 
-    def _aim(self, to: Goal) -> None:
+    def _reassemble(self, to: FoldSpec) -> None:
         """Have the numbers of ``to`` ready, or say why there are none."""
         request, posture = to
         rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
@@ -138,7 +142,7 @@ class GlidingFold:
             self._packed = packed(request.constants)
             self._inferior_stiff = request.model.resolved().coupling_gradient == "inferior_stiff"
         at = (posture.strain, request.activation.ta, posture.glottal_half_angle_rad, rest_angle)
-        longest_s = self._fill(
+        longest_s = self._reassembled(
             *map(float, (*at, request.convergence_angle_rad)), self._inferior_stiff, self.time_step_s,
             self._packed, self._rest_to, self._scalars_to, self._work,
         )  # fmt: skip
