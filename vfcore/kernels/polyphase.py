@@ -29,7 +29,7 @@ def resample(block, samples, branches, down, out):
 
 
 @jit
-def heard(flow, memory, backward, samples, branches, down, lip, audio):
-    """``respond`` and ``resample`` in one call: ``lip`` (n,) and ``audio`` (n·up/down,) for one block of ``flow``."""
+def filter_and_resample(flow, memory, backward, samples, branches, down, lip, audio):
+    """``respond``, then ``resample``: ``lip`` (n,) and ``audio`` (n·up/down,) for one block of ``flow``."""
     respond(flow, memory, backward, lip)
     resample(lip, samples, branches, down, audio)

@@ -16,7 +16,7 @@ import math
 from collections.abc import Callable
 from functools import lru_cache
 
-from vfcore.kernels import banded
+from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.jit import jit
 from vfcore.kernels.layout import Layout
 from vfcore.kernels.tissue import (
@@ -33,12 +33,13 @@ from vfcore.kernels.tissue import (
 @lru_cache(maxsize=32)
 def reassemble_kernel(nx: int, ny: int, rotation: bool) -> Callable[..., float]:
     """The compiled ``fill`` for one grid."""
-    factor, invert, L = banded.factor, banded.invert, Layout(nx, ny)
+    L = Layout(nx, ny)
     STRIDE, FIRST, NB, BI, WORKED = L.stride, L.first, nx - 2, L.beam_inverse, L.worked
     G, K = L.field("G") + L.anterior, L.K_coup
     LOAD, INV, WIDTH = (L.line(name) + FIRST for name in ("beam_load", "inverse_density", "width"))
     turns = int(rotation)
 
+    # The closure may hold only plain constants, see vfcore/kernels/fold.py.
     @jit
     def fill(strain, a_ta, theta_g, theta_0, convergence, inferior_stiff, dt, c, buffer, scalars, work):
         """Write what depends on posture and tissue; return the longest stable step without margin, s.

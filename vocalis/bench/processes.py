@@ -39,7 +39,7 @@ def first_results() -> tuple[dict[str, float], dict[str, float]]:
 
 
 def memory() -> dict[str, float] | None:
-    """Resident bytes of a process after a short run, and the peak during a run of 1 s after it; Linux only, else None."""
+    """Resident bytes after a short run, and the peak during a run of 1 s after it; None except on Linux."""
     if sys.platform != "linux":
         return None
     return _run(_MEMORY, {})
