@@ -50,7 +50,7 @@ def test_the_step_is_of_second_order_with_dampers(shear):
 
 
 def test_a_voice_through_contact_and_flow_converges_at_first_order():
-    """12 ms from the static shape. Contact and separation switch between nodes within a step: order 1 at best."""
+    """12 ms from the static shape. Contact and separation switch nodes within a step, so the order is at most 1."""
     fold, _ = product_and_twin(**MODAL)
     shape = static_shape_of(fold)
 

@@ -29,16 +29,16 @@ def test_a_bounds_checked_run_does_not_load_unchecked_code(tmp_path):
     assert cache_folder(tmp_path) == plain
 
 
-def test_a_cache_folder_given_by_the_user_is_kept(tmp_path):
+def test_a_cache_folder_set_by_the_user_is_used(tmp_path):
     assert cache_folder(tmp_path, NUMBA_CACHE_DIR=str(tmp_path / "mine")) == str(tmp_path / "mine")
 
 
 COMPILE = """
-from tests.physics.test_kernel_glide import test_a_glide_is_its_stretches
+from tests.physics.test_kernel_glide import test_a_glide_equals_its_stretches
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.glide import glide_kernel
 from vfcore.kernels.reassemble import reassemble_kernel
-test_a_glide_is_its_stretches()
+test_a_glide_equals_its_stretches()
 kernels = [make(8, 4, False) for make in (step_kernel, glide_kernel, reassemble_kernel)]
 print([sum(kernel.stats.cache_misses.values()) for kernel in kernels])
 """

@@ -1,4 +1,4 @@
-"""The pressure fields drawn on the medial surface are those that drive the step: against the twin, state by state."""
+"""The pressure fields on the medial surface are those that drive the step: against the twin, state by state."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ P_S = 1000.0
 
 
 def fields(fold, w_m, v_m, pressure_pa=P_S):
-    """p_aero and p_col (nx, ny) of a twin state (nx, ny), as the product draws them."""
+    """p_aero and p_col (nx, ny) of a twin state (nx, ny)."""
     k = fold.constants
     p_aero, p_col = np.full((2, fold.ny, fold.nx), np.nan)
     surface_pressures(

@@ -1,4 +1,4 @@
-"""Where a glide leads, compiled, against the fold that Python assembles for the same posture."""
+"""Compiled re-assembly at a new posture against the fold that Python assembles for the same posture."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ START = Simulation(run=Run(nx=8, ny=4))
 
 
 def filled(request: Simulation) -> tuple[np.ndarray, np.ndarray, float]:
-    """Buffer, scalars and longest step that the kernel makes for a request, over those of START."""
+    """Buffer, scalars and longest step of the kernel for a request, written over those of START."""
     ready, at_first = prepare(request), prepare(START)
     buffer = assemble.new_buffer(at_first.fold, DEFAULT_STEP_S)
     scalars, work = np.empty(len(SCALARS)), np.empty(3 * request.run.nx)
@@ -46,7 +46,7 @@ def filled(request: Simulation) -> tuple[np.ndarray, np.ndarray, float]:
     ],
 )
 def test_the_numbers_are_those_of_the_assembled_fold(request_):
-    """Tolerance 1e-12 of the largest of each kind: rounding, in another order."""
+    """Tolerance 1e-12 of the largest number of each field: rounding, in another order of operations."""
     fold, layout = prepare(request_).fold, Layout(request_.run.nx, request_.run.ny)
     buffer, scalars, longest_s = filled(request_)
     wanted = assemble.new_buffer(fold, DEFAULT_STEP_S)
@@ -56,7 +56,7 @@ def test_the_numbers_are_those_of_the_assembled_fold(request_):
     untouched = np.ones(layout.size, bool)
     for view in assemble.fixed(untouched, layout, 0):
         view[...] = False
-    assert np.array_equal(buffer[untouched], wanted[untouched]), "and nothing else was written"
+    assert np.array_equal(buffer[untouched], wanted[untouched]), "and nothing else may be written"
     np.testing.assert_allclose(scalars, assemble.scalars(fold, DEFAULT_STEP_S), rtol=1e-12)
     assert SAFETY * longest_s == pytest.approx(longest_stable_step_s(fold), rel=1e-12)
 
@@ -75,10 +75,10 @@ def test_the_banded_inverse_is_the_inverse():
         invert(D, a, c, found.reshape(-1), n + 3)
         right = np.linalg.inv(matrix)
         np.testing.assert_allclose(found[:, :n], right, rtol=0, atol=1e-13 * np.abs(right).max())
-        assert (found[:, n:] == 7.0).all(), "idle columns stay"
+        assert (found[:, n:] == 7.0).all(), "idle columns must not change"
 
 
-def test_a_goal_that_means_nothing_is_refused_and_the_fold_goes_on():
+def test_a_target_without_stiffness_or_with_too_short_a_step_is_refused_and_the_fold_continues():
     ready = prepare(START)
     march = TimeMarch(ready.fold, DEFAULT_STEP_S, 800.0)
     march.start_flat()
