@@ -89,9 +89,13 @@ def test_without_strain_and_activation_the_fold_has_its_resting_size():
 def test_two_layers_of_one_material_bend_as_one_bar_about_their_common_axis():
     """Equal moduli and no prestrain: E (I + offset² A) about the joint centroid, offset counted from the ligament."""
     same = FoldConstants(
-        sigma_1_lig_pa=1000.0, sigma_1_ta_pa=1000.0, sigma_2_lig_pa=0.0, sigma_2_ta_pa=0.0, epsilon_1_lig=-0.5,
+        sigma_1_lig_pa=1000.0,
+        sigma_1_ta_pa=1000.0,
+        sigma_2_lig_pa=0.0,
+        sigma_2_ta_pa=0.0,
+        epsilon_1_lig=-0.5,
         epsilon_1_ta=-0.5,
-    )  # fmt: skip
+    )
     c = coefficients(0.0, 0.0, same)
     E, b, d_lig, d_ta = 2000.0, 5e-3, 6.1e-6 / 5e-3, 40.9e-6 / 5e-3
     inertia = b * (d_lig**3 + d_ta**3) / 12

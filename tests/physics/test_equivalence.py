@@ -23,9 +23,10 @@ def test_a_voice_whose_period_is_a_whole_number_of_steps_flows_as_at_a_finer_ste
     flows = []
     for step_s in (DEFAULT_STEP_S, DEFAULT_STEP_S / 4):
         request = Simulation(
-            activation=Activation(ta=ta, ct=ct, lca=lca, ia=ia, pca=0.0), subglottal_pressure_pa=pressure_pa,
+            activation=Activation(ta=ta, ct=ct, lca=lca, ia=ia, pca=0.0),
+            subglottal_pressure_pa=pressure_pa,
             run=Run(time_step_s=step_s),
-        )  # fmt: skip
+        )
         report = vfcore.simulate(request).report
         assert report.state == "periodic"
         steps = 1 / (report.measures["fo_hz"].value * DEFAULT_STEP_S)

@@ -27,10 +27,18 @@ def filled(request: Simulation) -> tuple[np.ndarray, np.ndarray, float]:
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
     inferior_stiff = request.model.resolved().coupling_gradient == "inferior_stiff"
     longest_s = reassemble_kernel(request.run.nx, request.run.ny, ready.fold.rotation)(
-        ready.posture.strain, request.activation.ta, ready.posture.glottal_half_angle_rad, rest_angle,
-        request.convergence_angle_rad, inferior_stiff, DEFAULT_STEP_S, packed(request.constants),
-        buffer, scalars, work,
-    )  # fmt: skip
+        ready.posture.strain,
+        request.activation.ta,
+        ready.posture.glottal_half_angle_rad,
+        rest_angle,
+        request.convergence_angle_rad,
+        inferior_stiff,
+        DEFAULT_STEP_S,
+        packed(request.constants),
+        buffer,
+        scalars,
+        work,
+    )
     return buffer, scalars, longest_s
 
 

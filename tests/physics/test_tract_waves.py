@@ -42,9 +42,18 @@ def test_wave_energy_never_grows_without_flow(areas, seed, attenuation):
         energies.append(tubes + stored)
         pressure, mouth = np.zeros(1), np.zeros(1)
         status = advance_tract(
-            silence, tract.transmission, tract.reflection, impedance[0], impedance[-1], tract.lip_reflection,
-            forward, backward, memory, pressure, mouth,
-        )  # fmt: skip
+            silence,
+            tract.transmission,
+            tract.reflection,
+            impedance[0],
+            impedance[-1],
+            tract.lip_reflection,
+            forward,
+            backward,
+            memory,
+            pressure,
+            mouth,
+        )
         assert status == FINITE
         integral += tract.section_travel_s / 2 * (pressure[0] + pressure_before)
         pressure_before = pressure[0]

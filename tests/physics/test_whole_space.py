@@ -122,9 +122,12 @@ def test_every_posture_given_directly(posture, ta, pressure, model, run):
 
 
 @given(
-    constants=constants(), activation=box(Activation), pressure=within(0, 5000, 1000),
-    shear=st.sampled_from(SHEAR_FORMS), run=RUNS,
-)  # fmt: skip
+    constants=constants(),
+    activation=box(Activation),
+    pressure=within(0, 5000, 1000),
+    shear=st.sampled_from(SHEAR_FORMS),
+    run=RUNS,
+)
 @settings(max_examples=80, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 def test_every_constant_in_its_range(constants, activation, pressure, shear, run):
     check(Simulation(activation, pressure, model=Model(shear=shear), constants=constants, run=run))

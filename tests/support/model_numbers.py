@@ -1,4 +1,4 @@
-"""The numbers this project chose itself, by the name under which the code keeps them: a table, one row each."""
+"""The numerical constants chosen by this project, with module and name: one row of the table each."""
 
 NUMBERS = (
     ("vfcore.spec.simulation", "PAPER_STEP_S", "s", "the paper's time step: a quarter of one tract section's travel"),

@@ -1,4 +1,4 @@
-"""The tables of docs/model.md that the code itself knows, written between markers in that file.
+"""The tables of docs/model.md that are generated from the code, between markers in that file.
 
     python -m tests.support.model_tables                  name the tables that are out of date
     python -m tests.support.model_tables --write          rewrite them
@@ -40,25 +40,39 @@ def number(value) -> str:
 
 
 def block(text: str, name: str) -> str:
-    """What stands between the markers of one table."""
+    """The text between the markers of one table."""
     return re.search(rf"<!-- table: {name} -->\n(.*?)\n<!-- end -->", text, re.DOTALL)[1]
 
 
 def measures() -> str:
     rows = (
-        (f"`{m['key']}`", m["symbol"], m["unit"], f"{m['definition']} `{m['formula']}`", m["threshold"] or "–",
-         m["needs"], m["source"])
+        (
+            f"`{m['key']}`",
+            m["symbol"],
+            m["unit"],
+            f"{m['definition']} `{m['formula']}`",
+            m["threshold"] or "–",
+            m["needs"],
+            m["source"],
+        )
         for m in CATALOGUE.as_rows()
-    )  # fmt: skip
+    )
     return table(("key", "symbol", "unit", "definition and formula", "threshold", "given for", "source"), rows)
 
 
 def _constants(kind) -> str:
     rows = (
-        (f.metadata["symbol"], f.metadata["label"], f"`{f.name}`", number(f.default), f.metadata["unit"],
-         f"{number(f.metadata['low'])} to {number(f.metadata['high'])}", f.metadata["source"])
+        (
+            f.metadata["symbol"],
+            f.metadata["label"],
+            f"`{f.name}`",
+            number(f.default),
+            f.metadata["unit"],
+            f"{number(f.metadata['low'])} to {number(f.metadata['high'])}",
+            f.metadata["source"],
+        )
         for f in dataclasses.fields(kind)
-    )  # fmt: skip
+    )
     return table(("symbol", "meaning", "name", "value", "unit", "accepted", "source"), rows)
 
 
@@ -66,15 +80,20 @@ def muscles() -> str:
     """Every column of the default set, one muscle or tissue per column of the table."""
     constants = posture_set("serry2026")
     rows = (
-        (f.metadata["symbol"], f.metadata["label"], f"`…_{f.name}`", f.metadata["unit"],
-         *(number(getattr(getattr(constants, key), f.name)) for key in ROWS))
+        (
+            f.metadata["symbol"],
+            f.metadata["label"],
+            f"`…_{f.name}`",
+            f.metadata["unit"],
+            *(number(getattr(getattr(constants, key), f.name)) for key in ROWS),
+        )
         for f in dataclasses.fields(Muscle)
-    )  # fmt: skip
+    )
     return table(("symbol", "meaning", "name", "unit", *ROWS.values()), rows)
 
 
 def posture_sets() -> str:
-    """Where the other sets differ from the default one."""
+    """The differences of the other sets from the default set."""
     default = posture_set("serry2026")
     rows = []
     for name in POSTURE_SETS[1:]:

@@ -81,10 +81,17 @@ def scalars(fold: Fold, time_step_s: float) -> np.ndarray:
     c = fold.coefficients
     return np.array(
         step_numbers(
-            time_step_s, fold.dx, fold.dy, c.membrane_tension_n_m, c.membrane_shear_n_m,
-            c.membrane_shear_viscosity_n_s_m, c.beam_density_kg_m, c.rotation_inertia_kg_m, fold.constants,
+            time_step_s,
+            fold.dx,
+            fold.dy,
+            c.membrane_tension_n_m,
+            c.membrane_shear_n_m,
+            c.membrane_shear_viscosity_n_s_m,
+            c.beam_density_kg_m,
+            c.rotation_inertia_kg_m,
+            fold.constants,
         )
-    )  # fmt: skip
+    )
 
 
 def empty_buffer(layout: Layout, precision: str = "float64") -> np.ndarray:
