@@ -13,10 +13,8 @@ measurements.
 from collections.abc import Callable
 from functools import lru_cache
 
-from numba.core import types
-
 from vfcore.kernels.fold import step_kernel
-from vfcore.kernels.jit import chosen_by_types, jit
+from vfcore.kernels.jit import chosen_by_constants, jit
 from vfcore.kernels.layout import RECORD, Layout
 
 COLUMNS = len(RECORD)
@@ -27,14 +25,12 @@ def advance(nx, ny, rotation, buffer, scalars, pressure, record, air):
     step_kernel(nx, ny, rotation > 0)(buffer, scalars, pressure, 1, record, air)
 
 
-@chosen_by_types(advance)
-def _advance(nx, ny, rotation, buffer, scalars, pressure, record, air):
+@chosen_by_constants(advance, 3)
+def _advance(nx, ny, rotation):
     """The step of the grid. As a variable of the caller it would be part of numba's cache key, and it has another key
     in every process, so no process would find the code that another has compiled.
     """
-    if not all(isinstance(number, types.IntegerLiteral) for number in (nx, ny, rotation)):
-        return None
-    step = step_kernel(nx.literal_value, ny.literal_value, rotation.literal_value > 0)
+    step = step_kernel(nx, ny, rotation > 0)
 
     def advanced(nx, ny, rotation, buffer, scalars, pressure, record, air):
         step(buffer, scalars, pressure, 1, record, air)

@@ -71,11 +71,22 @@ def formula(function: Function) -> Function:
     return register_jitable(forceinline=True, **ARITHMETIC)(function)
 
 
-def chosen_by_types(function: Function) -> Callable[[Function], Function]:
+def chosen_by_constants(function: Function, count: int) -> Callable[[Callable[..., Function]], Any]:
     """Decorator of a chooser: a compiled call of ``function`` runs what the chooser returns, forced inline.
 
-    The chooser gets the types of the arguments (constants as literal types) while the caller is compiled. So what is
-    called depends on constants of the caller, which are part of numba's cache key. Interpreted, ``function`` is called.
+    The first ``count`` arguments of ``function`` must be integer constants of the caller. The chooser gets their values
+    while the caller is compiled, so they, and not what is chosen, are part of the caller's cache key. Interpreted,
+    ``function`` itself is called.
     """
     options: Any = {"forceinline": True, **ARITHMETIC}
-    return overload(function, prefer_literal=True, jit_options=options)
+
+    def decorate(chooser: Callable[..., Function]) -> Any:
+        def choose(*arguments):
+            constants = arguments[:count]
+            if all(isinstance(constant, numba.types.IntegerLiteral) for constant in constants):
+                return chooser(*(constant.literal_value for constant in constants))
+            return None
+
+        return overload(function, prefer_literal=True, strict=False, jit_options=options)(choose)
+
+    return decorate
