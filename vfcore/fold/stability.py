@@ -12,7 +12,7 @@ reach the unit circle is the alternating mode z = −1, at s/3 + a = 1. So the b
 The largest ω² and c on the grid are bounded by those of the membrane alone or of the beam alone, whichever allows the
 shorter step, plus those of the coupling between them; all springs and dampers count as engaged. The tension, bending
 and end moments of the beam are implicit and set no limit; its foundation limits the step slightly less than the bound
-says. The air is not included. Derivation: docs/model.md, section 4.
+says. The air is not included. Derivation: docs/model/numerics.md, "Stability".
 """
 
 import math

@@ -1,4 +1,4 @@
-"""Displacement of a membrane node after a step: Störmer's formula of third order (docs/model.md, section 4).
+"""Displacement of a membrane node after a step: Störmer's formula of third order (docs/model/numerics.md).
 
 With velocities on half steps, v^{n+½} = v^{n−½} + δ^n, δ^n = dt a^n, the plain step w^{n+1} = w^n + dt v^{n+½} sets
 the second difference of w to dt² a. A mode of angular frequency ω is then too fast by h²/24, h = ω dt. Störmer's

@@ -45,7 +45,7 @@ that is not attached, each attached node its own.
 
 Every function takes floats or SIMD vectors (kernels/simd.py). SI units. First order in dy, because the air pressure
 ends on a node, both at separation and at closure; the trapezoid rule itself is second order. No stability bound of its
-own (docs/model.md, section 4). Verified in tests/physics/test_flow_*.py; not validated against measured pressures.
+own (docs/model/numerics.md). Verified in tests/physics/test_flow_*.py; not validated against measured pressures.
 """
 
 from vfcore.kernels.jit import jit

@@ -1,6 +1,6 @@
 """The step of the fold: flow → contact → membrane → beam. One file, because it is one compiled loop.
 
-Scheme (docs/model.md, section 4). Velocities are defined on half steps:
+Scheme (docs/model/numerics.md, "Time stepping"). Velocities are defined on half steps:
 
     v^{n+½} = v^{n−½} + dt a(w^n, v*),   w^{n+1} = w^n + dt v^{n+½},   v* = v^{n−½} + ½ (v^{n−½} − v^{n−3/2})
 

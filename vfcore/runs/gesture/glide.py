@@ -3,8 +3,8 @@
 The equations of the fold hold at material points: node (i, j) stays at x/L = i/(nx−1), y/b = j/(ny−1) while L, b and
 the depths of the layers change. The layers are incompressible, so the mass of a node does not change (ρ_s dx dy and
 ρ_l dx are constant in λ), and m ẅ = F needs no further term: displacement and velocity stay as they are, and every
-coefficient takes its present value. Neglected, with their size in the fastest permitted glide in docs/model.md: the
-inertia of the frame that turns with θ_g, and the speed of the medial plane in the contact damper.
+coefficient takes its present value. Two terms are neglected; docs/model/equations.md has their size in the fastest
+permitted glide: the inertia of the frame that turns with θ_g, and the speed of the medial plane in the contact damper.
 
 Within a block every fixed number of the buffer is interpolated linearly between the folds at both ends, in stretches of
 STRETCH_STEPS at the value of the middle. The error is second order in the length of a stretch.
@@ -149,7 +149,7 @@ class GlidingFold:
         if request.constants is not self._constants or request.model is not self._model:
             self._constants, self._model = request.constants, request.model
             self._packed = packed(request.constants)
-            self._inferior_stiff = request.model.resolved().coupling_gradient == "inferior_stiff"
+            self._inferior_stiff = request.model.coupling_gradient == "inferior_stiff"
         at = (posture.strain, request.activation.ta, posture.glottal_half_angle_rad, rest_angle)
         longest_s = self._write_fold(
             *map(float, (*at, request.convergence_angle_rad)),
