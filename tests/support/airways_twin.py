@@ -1,7 +1,7 @@
 """Slow, obvious twin of two-way coupling: waves in two tubes as lists, the flow by a bracketing root finder.
 
-Written from the derivation in docs/model/equations.md, independent of the compiled kernel that it checks. Every wave crosses one
-section per step; the glottis is any function from pressure drop to flow.
+Written from the derivation in docs/model/equations.md, independent of the compiled kernel that it checks. Every wave
+crosses one section per step; the glottis is any function from pressure drop to flow.
 """
 
 from collections.abc import Callable
