@@ -92,7 +92,7 @@ def measured_voice(request: Simulation, kind: type[FoldTwin]) -> MeasureReport:
     still = np.zeros_like(record.t)
     return measure_all(
         Signals(
-            sample_rate_hz=1 / step_s, time_s=record.t, glottal_area_m2=record.A_g_min,
+            sample_rate_hz=1 / step_s, glottal_area_m2=record.A_g_min,
             glottal_flow_m3_s=record.Q_g, lip_pressure_pa=still, far_pressure_pa=still,
             contact_pressure_max_pa=np.maximum(record.p_col_max, 0.0), contact_location=still, contact_area_m2=still,
             subglottal_pressure_pa=request.subglottal_pressure_pa, length_m=twin.k.L, strain=posture.strain,

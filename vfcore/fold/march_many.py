@@ -43,15 +43,14 @@ class Motion(NamedTuple):
         return self.time_step_s * record_every(self.time_step_s)
 
 
-class Outcome(NamedTuple):
+class Marched(NamedTuple):
     """The record (samples − left_out, len(OF_EACH)) of one fold and its flow (samples,), m³/s, each column contiguous
-    and in the precision of the march; or why there are none.
+    and in the precision of the march; ``sample_s``: time between two samples.
     """
 
-    record: np.ndarray | None
-    flow_m3_s: np.ndarray | None
+    record: np.ndarray
+    flow_m3_s: np.ndarray
     sample_s: float
-    problem: DivergenceError | None
 
 
 def march_many(
@@ -60,8 +59,10 @@ def march_many(
     single_precision: bool = False,
     stop: Callable[[], bool] | None = None,
     progress: Callable[[float], None] | None = None,
-) -> Iterator[tuple[int, Outcome]]:
-    """March all and yield (index, outcome) as batches finish; a batch is marched when its first outcome is asked for.
+) -> Iterator[tuple[int, Marched | DivergenceError]]:
+    """March all and yield (index, outcome) as batches finish, the outcome of a fold that diverges being the error.
+
+    A batch is marched when its first outcome is asked for.
 
     ``progress(fraction)`` of all steps is told, and ``stop()`` asked, between chunks of 40 ms of voice or less;
     Cancelled is raised when it answers true. The step holds no GIL: several threads may march at a time.
@@ -82,9 +83,8 @@ def march_many(
         told = (lambda part, done=done: progress((done + part) / len(batches))) if progress is not None else None
         records, flows = batch.run(samples, told, stop)
         for place, index in enumerate(members):
-            problem, sample_s = batch.problems[place], motions[index].sample_s
-            found = (records[place].T, flows[place]) if problem is None else (None, None)
-            yield index, Outcome(*found, sample_s, problem)
+            problem = batch.problems[place]
+            yield index, problem or Marched(records[place].T, flows[place], motions[index].sample_s)
 
 
 class _Batch:

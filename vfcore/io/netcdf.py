@@ -26,7 +26,7 @@ def write_netcdf(result: SimulationResult, path: str | os.PathLike) -> None:
 
 
 def netcdf_bytes(result: SimulationResult) -> bytes:
-    """The same file as octets."""
+    """The same file as bytes."""
     buffer = io.BytesIO()
     write_variables(buffer, *_content(result))
     return buffer.getvalue()
@@ -52,7 +52,7 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
             variables[f"{prefix}_{name}"] = Variable((), float("nan") if value is None else float(value), attributes)
     provenance = document["provenance"]
     request = provenance.pop("request")
-    attributes = {
+    about: dict[str, str | float] = {
         "title": "Vocalis simulation of a vocal fold",
         "source": f"Vocalis {provenance['code_version']}, model {provenance['model_version']}",
         "references": PAPER,
@@ -66,7 +66,7 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
         **provenance,
         "request": json_text(request),
     }
-    return variables, attributes
+    return variables, about
 
 
 def _bar_of(document: dict[str, Any], key: str) -> dict[str, Any]:

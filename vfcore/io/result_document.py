@@ -16,11 +16,11 @@ from vfcore.larynx.posture.solution import PostureSolution
 from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.measures.measure import Measure
 from vfcore.runs.error_estimate import METHOD
-from vfcore.runs.one import Prepared
+from vfcore.runs.one import FoldSetup
 from vfcore.runs.result import ARRAYS, SimulationResult
 from vfcore.spec.document import simulation_to_dict
 
-ARRAY_DTYPE = "float32"  # as octets on the wire; files and Python hold float64
+ARRAY_DTYPE = "float32"  # as bytes in answers; files and Python hold float64
 
 
 class Quantity(NamedTuple):
@@ -50,13 +50,13 @@ COEFFICIENTS = {
 _NOT_FINITE = "The computed value is not a finite number."
 
 
-def posture_document(prepared: Prepared) -> dict[str, Any]:
+def posture_document(setup: FoldSetup) -> dict[str, Any]:
     """Posture, coefficients and static shape of a request that has not been run."""
     return without_gaps(
         {
-            "posture": _posture(prepared.posture),
-            "coefficients": _coefficients(prepared.fold.coefficients),
-            "static_shape": _static_shape(prepared.static),
+            "posture": _posture(setup.posture),
+            "coefficients": _coefficients(setup.fold.coefficients),
+            "static_shape": _static_shape(setup.static),
         }
     )
 
@@ -64,7 +64,7 @@ def posture_document(prepared: Prepared) -> dict[str, Any]:
 def result_document(result: SimulationResult) -> dict[str, Any]:
     """Everything about a finished run but the arrays themselves, of which it says what there is."""
     report = result.report
-    document = {
+    document: dict[str, Any] = {
         "kind": "simulation",
         "phonation_state": report.state,
         "explanation": report.explanation,
@@ -121,7 +121,7 @@ def _static_shape(shape: StaticShape) -> dict[str, Any]:
 
 
 def measure_document(measure: Measure) -> dict[str, Any]:
-    """A measure in the words of the API: value, unit, and the reason where there is no value."""
+    """A measure as the API has it: value, unit, and the reason where there is no value."""
     if measure.value is None or math.isfinite(measure.value):
         return dataclasses.asdict(measure)
     return {"value": None, "unit": measure.unit, "reason": measure.reason or _NOT_FINITE}

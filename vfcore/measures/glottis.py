@@ -43,11 +43,6 @@ def open_phases(area_m2: np.ndarray, cycles: Cycles, largest_at: np.ndarray) -> 
     )  # fmt: skip
 
 
-def mean_cycle_length(phases: OpenPhases) -> float:
-    """Mean time from one opening to the next, samples."""
-    return float(np.diff(phases.opens).mean())
-
-
 def closed_quotient(phases: OpenPhases) -> float:
     """Mean fraction of the cycle with the glottis closed; 0 where it never closes."""
     return float(1.0 - phases.open_fraction.mean())

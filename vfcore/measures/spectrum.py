@@ -47,7 +47,7 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     """CPP of ``wave``, shape (n,), dB, worked out in the precision the wave has."""
     length, hop = round(CPP_FRAME_S * sample_rate_hz), round(CPP_HOP_S * sample_rate_hz)
     if len(wave) < length:
-        return Missing(f"The measured half of the run is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
+        return Missing(f"The measured part is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
     filled, last_line = _transform_lengths(length, sample_rate_hz)
     frames = np.zeros((1 + (len(wave) - length) // hop, filled), wave.dtype)
     windowed_frames(plain(wave), _window(np.hamming, length), hop, frames)
@@ -55,7 +55,7 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     lines = min(last_line + 1, spectrum.shape[1])
     power = np.empty((len(frames), lines), wave.dtype)
     if not relative_power(spectrum, 10.0 ** (CPP_FLOOR_DB / 10.0), power):
-        return Missing("There is no sound in part of the measured half of the run.")
+        return Missing("There is no sound in part of what is measured.")
     level = 10.0 * np.log10(power, out=power)
     cepstrum = np.abs(fft.irfft(level, 2 * (lines - 1), axis=1)[:, :lines])
     cepstrum = 20.0 * np.log10(cepstrum + np.finfo(wave.dtype).tiny, out=cepstrum)

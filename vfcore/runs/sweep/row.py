@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfcore.errors import VocalisError
 from vfcore.io.result_document import Quantity
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.many import Point
@@ -34,10 +35,10 @@ def columns(sweep: Sweep) -> dict[str, Quantity]:
     return {key: Quantity(CATALOGUE[key].unit, CATALOGUE[key].symbol, CATALOGUE[key].name) for key in wanted} | _EXTRA
 
 
-def row_of(point: Point, keys: list[str]) -> Row:
+def row_of(point: Point | VocalisError, keys: list[str]) -> Row:
     """The row of a computed point."""
-    if point.problem is not None:
-        return failed_row(str(point.problem), len(keys))
+    if isinstance(point, VocalisError):
+        return failed_row(str(point), len(keys))
     report = point.report
     values = np.full(len(keys), np.nan)
     reasons: dict[str, list[int]] = {}
