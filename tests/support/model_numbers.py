@@ -53,6 +53,7 @@ NUMBERS = (
     ("vfcore.measures.vibration", "MIN_SOUND_SWING_PA", "Pa", "smallest swing, where the sound is judged"),
     ("vfcore.measures.vibration", "MAX_SOUND_DIFFERENCE", "1", "rms difference, where the sound is judged"),
     ("vfcore.measures.vibration", "SOUND_ALIKE", "1", "autocorrelation of cycles alike, where the sound is judged"),
+    ("vfcore.measures.vibration", "SOUND_FOLLOWED", "1", "peak at one cycle over the highest, in an irregular sound"),
     ("vfcore.measures.phonation", "MAX_CYCLES_PER_PATTERN", "1", "longest subharmonic pattern, cycles"),
     ("vfcore.measures.phonation", "MIN_TRACKABLE", "1", "autocorrelation needed to follow cycles"),
     ("vfcore.measures.phonation", "MIN_WINDOW_S", "s", "shortest window that is judged"),

@@ -6,7 +6,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from vfcore.measures.cycles import Cycles, cut_cycles
+from vfcore.measures.cycles import Cycles, cut_cycles, refined_places
 from vfcore.measures.flow import flow_slope, mean_ml_s, steepest_fall
 from vfcore.measures.glottis import OpenPhases, open_phases
 from vfcore.measures.level import radiated_power_w, rms_pa
@@ -115,13 +115,30 @@ class Analysis:
     def fo_hz(self) -> float:
         """Reciprocal of the pattern; of an irregular voice, of the mean cycle, Hz."""
         if self.phonation.state == "irregular":
-            return float(self.sample_rate_hz / float(np.diff(self.cycle_starts).mean()))
+            return float(self.sample_rate_hz / float(np.diff(self.cycle_instants).mean()))
         return float(self.sample_rate_hz / self.repetition.pattern)
 
-    @property
-    def cycle_starts(self) -> np.ndarray:
-        """One instant per cycle, samples: when the glottis opens; where its area is not given, the cut of the cycle."""
-        return self.open_phases.opens if self.judged == "glottal_area_m2" else self.cycles.marks
+    @cached_property
+    def cycle_instants(self) -> np.ndarray:
+        """One instant per cycle, samples, sub-sample; shape (N,) or, without an area, (N − 1,).
+
+        When the glottis opens; where its area is not given, when the flow falls steepest between two of its peaks, in a
+        sound the lowest pressure.
+        """
+        if self.judged == "glottal_area_m2":
+            return self.open_phases.opens
+        flow = self._after_silence(self._vibration.source, self.signals.window_start)
+        falls = self.cycles.between(self.cycles.where_largest(flow))
+        if self.judged == "glottal_flow_m3_s":
+            slope = self._after_silence(flow_slope(flow, self.sample_rate_hz, self.cycles), self.cycles.bounds[0])
+        else:
+            slope = self._after_silence(self._vibration.wave, self.signals.window_start)
+        return refined_places(-slope, falls.where_largest(-slope))
+
+    @staticmethod
+    def _after_silence(part: np.ndarray, start: int) -> np.ndarray:
+        """A part of a wave at its place in the whole one, 0 before."""
+        return np.concatenate((np.zeros(start), part))
 
     def _contact_cycles(self, contact: np.ndarray) -> Cycles:
         """Cycles that cut no contact in two: from area peak to area peak, or in the middle of the time without contact

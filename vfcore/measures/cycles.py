@@ -145,6 +145,11 @@ def _followed_marks(wave: np.ndarray, found: Repetition, correlation: Autocorrel
     minima = np.sort(minima[: spaced_minima(slow, max(int(0.6 * found.cycle), 1), minima)])
     margin = found.cycle / 2
     minima = minima[(minima > margin) & (minima < len(wave) - 1 - margin)]
-    marks = np.empty(len(minima))
-    refined_each(slow, minima, marks)
-    return marks
+    return refined_places(slow, minima)
+
+
+def refined_places(wave: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Sub-sample positions of the extrema of ``wave`` at the samples ``places``, shape (N,)."""
+    found = np.empty(len(places))
+    refined_each(wave, places, found)
+    return found

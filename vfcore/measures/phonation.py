@@ -109,7 +109,7 @@ def _judged(vibration: Vibration, correlate: Callable[[], Autocorrelation] | Non
                 count <= MAX_CYCLES_PER_PATTERN and _repeats_later(correlation, peak, bounds.max_difference)
             ):
                 return _repeating(correlation, peak, count)
-    return _irregular(correlation, peaks, bounds.alike)
+    return _irregular(correlation, peaks, bounds.followed)
 
 
 def cycle_difference(height: float) -> float:
@@ -215,11 +215,11 @@ def _repeating(correlation: Autocorrelation, peak: Peak, count: int) -> Phonatio
     )  # fmt: skip
 
 
-def _irregular(correlation: Autocorrelation, peaks: list[Peak], alike: float) -> Phonation:
+def _irregular(correlation: Autocorrelation, peaks: list[Peak], followed: float) -> Phonation:
     highest = max(peak.height for peak in peaks)
     if highest < MIN_TRACKABLE:
         return Phonation("irregular", "Irregular: the glottis vibrates without a recognisable cycle.", highest)
-    cycle = next(peak for peak in peaks if peak.height >= max(ALIKE, alike * highest))
+    cycle = next(peak for peak in peaks if peak.height >= max(ALIKE, followed * highest))
     return Phonation(
         "irregular",
         f"Irregular: each cycle differs from the next by {100 * cycle_difference(cycle.height):.0f} %, "

@@ -245,7 +245,7 @@ ROWS = (
         formula="100 · mean|T_i − T_i+1| / mean T",
         threshold="cycle lengths from opening to opening (from minimum to minimum where the glottis never closes)",
         source="Titze (1995)",
-        needs=Needs.IRREGULAR, compute=lambda a: perturbation.jitter_percent(a.cycle_starts),
+        needs=Needs.IRREGULAR, compute=lambda a: perturbation.jitter_percent(a.cycle_instants),
     ),
     MeasureSpec(
         key="shimmer_percent", symbol="shimmer", name="shimmer (local)", unit="%", group=PERTURBATION_GROUP,

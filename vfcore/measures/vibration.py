@@ -26,6 +26,8 @@ class Bounds:
     - ``max_difference``: the largest root-mean-square difference between the wave and its copy one pattern later, over
       its rms, of a wave that repeats.
     - ``alike``: the autocorrelation from which cycles of one pattern count as alike.
+    - ``followed``: the cycle of an irregular voice is the first peak of the autocorrelation that is ALIKE high and has
+      this share of the highest.
     """
 
     name: str
@@ -36,6 +38,7 @@ class Bounds:
     min_relative_swing: float
     max_difference: float
     alike: float
+    followed: float
 
 
 # A nearly periodic voice ("type 1") differs from cycle to cycle by less than 5 % (Titze 1995).
@@ -60,18 +63,21 @@ MAX_SOUND_DIFFERENCE = 0.1415
 # twice f_o. So in a sound only cycles that are nearly equal count as several; an alternation below the difference above
 # cannot be told, and a strong one is taken for one long cycle, of the same f_o.
 SOUND_ALIKE = 0.9
+# For the same reason a first peak far below the highest is a part of a cycle. Unequal cycles have 0.8 of it and more;
+# parts of a cycle 0.6 and less where no resonance is at a harmonic.
+SOUND_FOLLOWED = 0.75
 
 AREA_BOUNDS = Bounds(
     "glottal area", "mm²", 1e6, "the glottis stays closed",
-    MIN_AREA_SWING_M2, MIN_RELATIVE_SWING, MAX_CYCLE_DIFFERENCE, ALIKE,
+    MIN_AREA_SWING_M2, MIN_RELATIVE_SWING, MAX_CYCLE_DIFFERENCE, ALIKE, 0.0,
 )  # fmt: skip
 FLOW_BOUNDS = Bounds(
     "glottal flow", "mL/s", 1e6, "no air flows",
-    MIN_FLOW_SWING_M3_S, MIN_RELATIVE_SWING, MAX_CYCLE_DIFFERENCE, ALIKE,
+    MIN_FLOW_SWING_M3_S, MIN_RELATIVE_SWING, MAX_CYCLE_DIFFERENCE, ALIKE, 0.0,
 )  # fmt: skip
 SOUND_BOUNDS = Bounds(
     "sound", "Pa", 1.0, "there is no sound",
-    MIN_SOUND_SWING_PA, 0.0, MAX_SOUND_DIFFERENCE, SOUND_ALIKE,
+    MIN_SOUND_SWING_PA, 0.0, MAX_SOUND_DIFFERENCE, SOUND_ALIKE, SOUND_FOLLOWED,
 )  # fmt: skip
 
 
