@@ -34,17 +34,16 @@ class Analysis:
         correlate: Callable[[], Autocorrelation] | None = None,
     ):
         self.signals = signals
-        self.sample_rate_hz = signals.sample_rate_hz
+        self.sample_rate_hz, self.window_start = signals.sample_rate_hz, signals.window_start
         self._radiate, self._correlate = radiate, correlate
-
-    @cached_property
-    def given(self) -> frozenset[str]:
-        """Names of the signals that are given, or computed when they are needed, and of their alternatives."""
-        return self.signals.given if self._radiate is None else with_alternatives({*self.signals.given, *Sound._fields})
+        #: Names of the signals that are given, or computed when they are needed, and of their alternatives.
+        self.given = signals.given if radiate is None else with_alternatives(signals.given.union(Sound._fields))
+        #: Name of the signal on which the phonation state is judged and in which cycles are sought; None for none.
+        self.judged = next((name for name in ALTERNATIVES[VIBRATION] if name in self.given), None)
 
     def window(self, wave: np.ndarray) -> np.ndarray:
         """The measured part of ``wave``, float64; of a float64 wave a view, to be read only."""
-        return wave[self.signals.window_start :].astype(np.float64, copy=False)
+        return wave[self.window_start :].astype(np.float64, copy=False)
 
     @property
     def area(self) -> np.ndarray:
@@ -80,11 +79,6 @@ class Analysis:
         return self.lip_pressure if name == "lip_pressure_pa" else self.far_pressure
 
     @cached_property
-    def judged(self) -> str | None:
-        """Name of the signal on which the phonation state is judged and in which cycles are sought."""
-        return next((name for name in ALTERNATIVES[VIBRATION] if name in self.given), None)
-
-    @cached_property
     def phonation(self) -> Phonation:
         return judge_phonation(self._vibration, self._correlate) if self.judged else Phonation("none", NOT_JUDGED)
 
@@ -105,7 +99,7 @@ class Analysis:
         """The cycles, or None where none can be followed."""
         if self.phonation.repetition is None:
             return None
-        return cut_cycles(self._vibration.source, self.signals.window_start, self.phonation)
+        return cut_cycles(self._vibration.source, self.window_start, self.phonation)
 
     @property
     def cycles(self) -> Cycles:
@@ -127,12 +121,12 @@ class Analysis:
         """
         if self.judged == "glottal_area_m2":
             return self.open_phases.opens
-        flow = self._after_silence(self._vibration.source, self.signals.window_start)
+        flow = self._after_silence(self._vibration.source, self.window_start)
         falls = self.cycles.between(self.cycles.where_largest(flow))
         if self.judged == "glottal_flow_m3_s":
             slope = self._after_silence(flow_slope(flow, self.sample_rate_hz, self.cycles), self.cycles.bounds[0])
         else:
-            slope = self._after_silence(self._vibration.wave, self.signals.window_start)
+            slope = self._after_silence(self._vibration.wave, self.window_start)
         return refined_places(-slope, falls.where_largest(-slope))
 
     @staticmethod
@@ -148,7 +142,7 @@ class Analysis:
             return self._cycles_between_area_peaks
         wave = self.window(contact)
         correlation = None if self.phonation.state == "periodic" else autocorrelation(wave)
-        return cut_cycles(wave, self.signals.window_start, self.phonation, correlation) or self.cycles
+        return cut_cycles(wave, self.window_start, self.phonation, correlation) or self.cycles
 
     @cached_property
     def _cycles_between_area_peaks(self) -> Cycles:

@@ -6,6 +6,7 @@ cut on an even grid of its period; an irregular one at the minima of its slow pa
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -45,7 +46,7 @@ class Cycles:
         """The samples of ``wave`` (full length) within these cycles, float64; of a float64 wave a view."""
         return wave[self.bounds[0] : self.bounds[-1]].astype(np.float64, copy=False)
 
-    @property
+    @cached_property
     def offsets(self) -> np.ndarray:
         """Where each cycle begins in ``span``, samples; shape (N,)."""
         return self.bounds[:-1] - self.bounds[0]

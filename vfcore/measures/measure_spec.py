@@ -79,8 +79,8 @@ class MeasureSpec:
         return Measure(None, self.unit, reason)
 
     def _obstacle(self, analysis: Analysis) -> str | None:
-        if missing := [name for name in self.signals if name not in analysis.given]:
-            return missing_sentence(missing)
+        if not analysis.given.issuperset(self.signals):
+            return missing_sentence([name for name in self.signals if name not in analysis.given])
         state = analysis.phonation.state
         if self.needs is Needs.NOTHING:
             return None

@@ -1,5 +1,6 @@
 """The signals that are measured; nothing here knows the solver."""
 
+from collections.abc import Set
 from dataclasses import dataclass, fields
 from math import isfinite
 from typing import NamedTuple, cast
@@ -161,9 +162,10 @@ class Signals:
 _ALL_NUMBERS = tuple(field.name for field in fields(Signals) if field.name not in (*WAVES, "measured_from"))
 
 
-def with_alternatives(names: set[str]) -> frozenset[str]:
+def with_alternatives(names: Set[str]) -> frozenset[str]:
     """``names`` of signals, with those of ALTERNATIVES of which one member is among them."""
-    return frozenset(names | {name for name, members in ALTERNATIVES.items() if not names.isdisjoint(members)})
+    found = [name for name, members in ALTERNATIVES.items() if not names.isdisjoint(members)]
+    return frozenset({*names, *found})
 
 
 def missing_sentence(names: list[str]) -> str:
