@@ -77,7 +77,7 @@ def test_any_step_equals_the_tube_stepped_back_from_that_instant(ratio):
     flow = some_flow(9000)
     step = ratio * TRAVEL
     sound = radiate(flow, step, A)
-    # No further ahead than sound travels, less the two sections that the flow's rate looks ahead.
+    # No later samples than sound travels, less the two sections that the flow's rate needs.
     between = smooth(flow, step, min(6, int(66 / ratio) + 1))
     for m in (100, 2345, 8990):
         back = np.arange(-2, int((m + 9) * ratio))[::-1] * TRAVEL  # the tube's clock, to two sections beyond m
@@ -169,7 +169,7 @@ def test_air_and_step_are_not_mixed_up_between_runs():
 
 
 def test_several_flows_side_by_side_sound_as_each_alone():
-    """In double precision bit for bit; in single to some times its rounding, 6e-8 of the largest value."""
+    """In double precision bit for bit; in single to a few times its rounding, 6e-8 of the largest value."""
     flows = np.stack([some_flow(3000), some_flow(3000)[::-1], 2e-4 + 0.5 * some_flow(3000)])
     alone = [radiate(flow, DEFAULT_STEP_S, A, first=1000) for flow in flows]
     double = radiate_each(flows, DEFAULT_STEP_S, A, first=1000)

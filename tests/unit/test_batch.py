@@ -74,7 +74,7 @@ def test_what_is_left_out_of_the_record_changes_no_measure(precision, monkeypatc
     assert len({point.report.state for point in shortened}) > 1
 
 
-def test_a_measure_has_the_same_value_whatever_else_is_asked_for():
+def test_a_measure_has_the_same_value_whatever_else_is_wanted():
     (whole,) = run_points([_short()])
     for key in CATALOGUE.keys():  # noqa: SIM118 - iterating gives rows
         (one,) = run_points([_short()], measures=[key])

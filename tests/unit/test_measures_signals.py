@@ -221,17 +221,17 @@ def test_a_contact_beside_a_sound_is_not_cut_in_two():
 
 
 def test_a_sound_that_is_computed_on_demand_counts_as_given():
-    whole, asked = WHOLE["periodic"], []
+    whole, calls = WHOLE["periodic"], []
     silent = only(whole, {*WAVES, *NUMBERS} - {"lip_pressure_pa", "far_pressure_pa"})
 
     def radiated():
-        asked.append(None)
+        calls.append(None)
         return Sound(whole.lip_pressure_pa, whole.far_pressure_pa)
 
     assert measure_all(silent, ["closed_quotient"], radiated).measures["closed_quotient"].value is not None
-    assert not asked
+    assert not calls
     assert measure_all(silent, radiate=radiated) == measure_all(whole)
-    assert len(asked) == 1
+    assert len(calls) == 1
 
 
 def test_measured_from_chooses_the_measured_part():

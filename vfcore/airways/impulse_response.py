@@ -13,8 +13,8 @@ either side, whose weights are scaled so that a steady flow stays what it is:
 So each h_j is shared among the 2a samples around jτ/T, and one formula serves every step: T = 5τ (folding five
 phases into one), T = τ (h itself), T = τ/4 (four interleaved tubes) and anything else. It equals stepping the tube
 with the interpolated flow. At 28 kHz a voice pulse comes out within 0.08 dB up to 10 kHz of the same pulse at the
-paper's step (Keys' cubic convolution would lose 1 dB at 8 kHz). The kernel looks a − 1 samples ahead, which the
-sound's travel to the lips must hide: a = 6, less where a step is longer than a fifth of the travel. The flow is 0
+paper's step (Keys' cubic convolution would lose 1 dB at 8 kHz). The kernel reads a − 1 later samples, which must
+not take longer than the sound's travel to the lips: a = 6, less where a step is longer than a fifth of the travel. The flow is 0
 before its first sample: a run that starts with flow starts with a jump.
 
 The far pressure is that of a simple source in free field, p = ρ/(4πr) dU/dt (Morse & Ingard 1968), without the
@@ -100,14 +100,14 @@ def response_at(tract: Tract, time_step_s: float) -> np.ndarray:
     place = np.arange(lip_pressure.size) * (tract.section_travel_s / time_step_s)
     before = np.floor(place).astype(np.int64)
     share = place - before
-    arrives = len(tract.areas_m2) - len(_CENTRAL_DIFFERENCE) // 2  # in the far pressure, whose rate looks ahead
-    ahead = min(HALF_WIDTH - 1, max(1, int(before[arrives])))
-    taps = before[-1] + 2 * (ahead + 1)
+    arrives = len(tract.areas_m2) - len(_CENTRAL_DIFFERENCE) // 2  # in the far pressure, whose rate reads later samples
+    early = min(HALF_WIDTH - 1, max(1, int(before[arrives])))
+    taps = before[-1] + 2 * (early + 1)
     folded = np.zeros((3, taps))
-    for nth, weight in enumerate(_weights(share, ahead + 1)):
+    for nth, weight in enumerate(_weights(share, early + 1)):
         for row, response in zip(folded, (lip_pressure, mouth_flow, far_pressure), strict=True):
             row += np.bincount(before + nth, response * weight, taps)
-    return folded[:, ahead:]  # the samples before are empty: nothing reaches the lips within ``ahead`` steps
+    return folded[:, early:]  # the samples before are empty: nothing reaches the lips within ``early`` steps
 
 
 @lru_cache(maxsize=16)
@@ -160,9 +160,9 @@ def _convolved(flows_m3_s: np.ndarray, time_step_s: float, tract: Tract, first: 
     sound = np.empty((runs, len(spectra[rows]), count), precision)
     for start in range(0, count, hop):  # overlap-save: a block reads the flow as far back as the response reaches
         begin, end = first + start - taps + 1, min(first + start + hop, samples)
-        heard = np.zeros((runs, length), precision)
-        heard[:, max(-begin, 0) : end - begin] = flows_m3_s[:, max(begin, 0) : end]
-        spectrum = rfft(heard, overwrite_x=True)[:, None]
+        part = np.zeros((runs, length), precision)
+        part[:, max(-begin, 0) : end - begin] = flows_m3_s[:, max(begin, 0) : end]
+        spectrum = rfft(part, overwrite_x=True)[:, None]
         parts = irfft(spectrum * spectra[rows], length, overwrite_x=True)
         sound[:, :, start : start + hop] = parts[:, :, taps - 1 : taps - 1 + end - first - start]
     return sound

@@ -1,8 +1,8 @@
-"""A finished run as one netCDF-4 file: waveforms, one cycle of fields, measures, and all it takes to run it again.
+"""A finished run as one netCDF-4 file: waveforms, one cycle of fields, measures, and the request that repeats it.
 
 Variables: every array of ``vfcore.runs.result.ARRAYS`` under its name, float64; every measure as the scalar
 ``measure_<key>`` (NaN with a ``reason`` where there is none), with its error bar as ``error_half_width`` and
-``error_limit`` where the request asked for it; posture and coefficients as ``posture_<name>`` and
+``error_limit`` where the request has an error estimate; posture and coefficients as ``posture_<name>`` and
 ``coefficient_<name>``. Attributes of the file: phonation state, provenance, and the request as JSON.
 """
 
@@ -70,7 +70,7 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
 
 
 def _bar_of(document: dict[str, Any], key: str) -> dict[str, Any]:
-    """Attributes that hold the error bar of a measure, where one was asked for (NaN with a reason for none)."""
+    """Attributes that hold the error bar of a measure, where there is an error estimate (NaN with a reason for none)."""
     if document["error_estimate"] is None:
         return {}
     bar = document["error_estimate"]["measures"][key]

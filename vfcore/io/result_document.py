@@ -1,6 +1,6 @@
 """Results as plain values for JSON: what the command line prints and the server answers.
 
-One shape for both. Keys carry units. A number that is not finite becomes null, with the reason beside it (a
+One shape for both. Keys carry units. A number that is not finite becomes null with a reason (a
 measure's own ``reason``, otherwise ``null_reasons`` by dotted path), so that every document is strict JSON.
 """
 
@@ -62,7 +62,7 @@ def posture_document(setup: FoldSetup) -> dict[str, Any]:
 
 
 def result_document(result: SimulationResult) -> dict[str, Any]:
-    """Everything about a finished run but the arrays themselves, of which it says what there is."""
+    """Everything about a finished run; of the arrays only shape, unit and dimensions."""
     report = result.report
     document: dict[str, Any] = {
         "kind": "simulation",
@@ -128,7 +128,7 @@ def measure_document(measure: Measure) -> dict[str, Any]:
 
 
 def _error_estimate(result: SimulationResult) -> dict[str, Any] | None:
-    """Method, the runs compared, and per measure its bar in the measure's unit; None where none was asked for."""
+    """Method, the runs compared, and per measure its bar in the measure's unit; None for a run without error estimate."""
     estimate = result.error_estimate
     if estimate is None:
         return None

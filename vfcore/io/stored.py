@@ -1,6 +1,6 @@
 """A finished run as one file that can be read back to the same ``SimulationResult``, bit for bit.
 
-A zip of numpy arrays (``.npz``) with the rest as JSON beside them; zip checksums tell a damaged file.
+A zip of numpy arrays (``.npz``), one of which holds the rest as JSON; zip checksums show a damaged file.
 """
 
 import dataclasses

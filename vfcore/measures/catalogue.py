@@ -47,7 +47,7 @@ class MeasureReport:
 
     ``state``: none | periodic | subharmonic | irregular, with the sentence ``explanation``.
     ``periodicity``: normalised autocorrelation peak, None without phonation. ``measures``: by key, every row of the
-    catalogue or those asked for. ``cycles``: how many cycles were averaged. ``cycle_bounds``: samples [start, stop)
+    catalogue or the wanted ones. ``cycles``: how many cycles were averaged. ``cycle_bounds``: samples [start, stop)
     of one representative repeating pattern in the waves, None where no cycle can be followed. ``judged``: name of the
     signal from which state and cycles come, the glottal area, else the flow, else the sound; None where none is given.
     """

@@ -1,8 +1,8 @@
 """Quotients of the minimum glottal area waveform: how long it is closed, how it opens and closes.
 
 A cycle of length T is closed while its area is below 0.1 % of its own peak. The instants of crossing are interpolated
-between samples. Where the area lies flat on the closed side, at 0 as a rule, the sample there says nothing about when
-it got there: the crossing is then extrapolated from the three samples on the open side, along the parabola through
+between samples. Where the area is flat on the closed side, as a rule at 0, the sample there does not show when the
+glottis closed or opened: the crossing is then extrapolated from the three samples on the open side, along the parabola through
 them, and kept within its interval.
 """
 
@@ -63,7 +63,7 @@ def speed_quotient(phases: OpenPhases) -> float | Missing:
 
 
 def peak_area_mm2(area_m2: np.ndarray, largest_at: np.ndarray) -> float:
-    """Mean over cycles of the largest area, mm²; it is at the samples ``largest_at``."""
+    """Mean over cycles of the largest area, mm², found at the samples ``largest_at``."""
     return float(area_m2[largest_at].mean(dtype=np.float64) * 1e6)
 
 

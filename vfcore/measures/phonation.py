@@ -4,8 +4,8 @@ The criterion uses one wave over the measured part, the glottal area, else the f
 with the bounds of each), in this order:
 
 1. amplitude  — the wave must vary enough to be audible, else ``none``;
-2. steadiness — the vibration must neither die out nor still be building up, else ``none``: a ringing after onset is
-   not phonation, and a wave that still grows has not been shown to settle;
+2. steadiness — the vibration must neither die out nor still be building up, else ``none``: ringing after onset is
+   not phonation, and a wave that still grows has not settled;
 3. repetition — the wave must equal itself one lag later to within the bound for a nearly periodic voice.
    If the repeating pattern holds several similar cycles it is ``subharmonic``, else ``periodic``;
    if no lag repeats, ``irregular``.
@@ -39,7 +39,7 @@ STRETCH_S = 1.0 / LOWEST_RATE_HZ
 MIN_STRETCH_RATIO = 0.1
 # The next cycle alike begins at a whole fraction of the pattern, give or take this share of a cycle.
 FRACTION_TOLERANCE = 0.1
-# Longer patterns cannot be told from irregular voices in half a second.
+# Longer patterns cannot be distinguished from irregular voices in half a second.
 MAX_CYCLES_PER_PATTERN = 6
 # A pattern of several cycles must also repeat this many patterns later: two incommensurate rates may match once.
 LATER_PATTERNS = (2, 4)

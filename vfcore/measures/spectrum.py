@@ -5,8 +5,8 @@ Hamming-windowed frame, up to 10 kHz (1024 points at 20 kHz in the original), is
 that cepstrum, in dB, has a peak at the quefrency 1/f_o. CPP is its height above the straight line fitted to the
 cepstrum from 1 ms to the end, averaged over frames.
 
-Lengths with large prime factors take eight times as long to transform, so a frame is filled up with zeros to a length
-without, of which a line falls on 10 kHz as in the original: at 28 kHz from 1434 to 1470 samples, whose line 525 it is.
+Lengths with large prime factors take eight times as long to transform. So a frame is filled up with zeros to a length
+without them that has a spectral line at 10 kHz, as in the original: at 28 kHz from 1434 to 1470 samples, line 525.
 """
 
 from collections.abc import Callable
@@ -44,7 +44,7 @@ def h1_h2_db(wave: np.ndarray, fo_hz: float, sample_rate_hz: float) -> float | M
 
 
 def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> float | Missing:
-    """CPP of ``wave``, shape (n,), dB, worked out in the precision the wave has."""
+    """CPP of ``wave``, shape (n,), dB, computed in the precision of the wave."""
     length, hop = round(CPP_FRAME_S * sample_rate_hz), round(CPP_HOP_S * sample_rate_hz)
     if len(wave) < length:
         return Missing(f"The measured part is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
@@ -67,9 +67,9 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
 
 @lru_cache(maxsize=8)
 def _transform_lengths(length: int, sample_rate_hz: float) -> tuple[int, int]:
-    """To how many samples a frame of ``length`` is filled up, and which line of its spectrum is CPP_BAND_HZ.
+    """To how many samples a frame of ``length`` is filled up, and which line of its spectrum is at CPP_BAND_HZ.
 
-    As it is, with the last line up to there, where up to a tenth more samples give none.
+    Where up to a tenth more samples give no such line: ``length`` itself and the last line below.
     """
     for filled in range(length, length + length // 10):
         line = CPP_BAND_HZ * filled / sample_rate_hz

@@ -61,7 +61,7 @@ MIN_SOUND_SWING_PA = 2.0 * 2.0**0.5 * 20e-6 * 10.0 ** (26.0 / 20.0)
 MAX_SOUND_DIFFERENCE = 0.1415
 # A resonance near a harmonic makes parts of one cycle alike: r reaches 0.9 at half a cycle where the first resonance is
 # twice f_o. So in a sound only cycles that are nearly equal count as several; an alternation below the difference above
-# cannot be told, and a strong one is taken for one long cycle, of the same f_o.
+# is not recognised, and a strong one is taken for one long cycle, of the same f_o.
 SOUND_ALIKE = 0.9
 # For the same reason a first peak far below the highest is a part of a cycle. Unequal cycles have 0.8 of it and more;
 # parts of a cycle 0.6 and less where no resonance is at a harmonic.
