@@ -9,7 +9,6 @@ from typing import Any
 
 from vfcore.runs.result import SimulationResult
 from vfcore.runs.sweep.row import Row, columns, failed_row
-from vfcore.spec.address import computation_address
 from vocalis.server.http.problems import problem_of
 from vocalis.server.jobs.archive import Archive
 from vocalis.server.jobs.database import StorageFull
@@ -117,7 +116,7 @@ class Ledger:
     def keep_results(self, task: Task, results: dict[int, SimulationResult]) -> None:
         """Whole results of points, where a sweep keeps them: at the address of the same single run."""
         for place, result in results.items():
-            self._archive.put(computation_address(task.work.sweep.computation(task.positions[place])), result)
+            self._archive.put(task.work.sweep.computation(task.positions[place]).address(), result)
 
     @contextmanager
     def _counted(self, task: Task, failed: int) -> Iterator[list[Job]]:

@@ -27,9 +27,9 @@ Stop = Callable[[], bool]
 
 def _simulation(request: dict[str, Any], progress: Progress, stop: Stop) -> Any:
     from vfcore.runs.one import simulate
-    from vfcore.spec.document import simulation_from_dict
+    from vfcore.spec.request import resolve
 
-    return simulate(simulation_from_dict(request), progress, stop)
+    return simulate(resolve(request), progress, stop)
 
 
 def _part_of_sweep(piece: tuple[Any, str], _: Progress, stop: Stop) -> Any:

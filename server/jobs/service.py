@@ -12,8 +12,8 @@ from vfcore.errors import ParameterError
 from vfcore.runs.result import SimulationResult
 from vfcore.runs.sweep.document import sweep_from_dict
 from vfcore.runs.sweep.table import SweepTable
-from vfcore.spec.address import address, canonical
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.address import address
+from vfcore.spec.request import document_of, resolve
 from vocalis.server.jobs.archive import Archive
 from vocalis.server.jobs.document import job_document
 from vocalis.server.jobs.events import DONE, PROGRESS, Event
@@ -103,7 +103,7 @@ class Desk:
         if (result := self._archive.get(job_id)) is not None:
             made = result.provenance.created
             return Job(
-                job_id, "", "simulation", canonical(result.request), job_id, job_id, made,
+                job_id, "", "simulation", document_of(result.request), job_id, job_id, made,
                 status=Status.SUCCESSFUL, progress=1.0, n_done=1, started=made, finished=made,
             )  # fmt: skip
         raise NoSuchJob(f"There is no job or kept result with the id {job_id!r}.")
@@ -122,7 +122,7 @@ class Desk:
                 "A sweep has its scalars at /result, result.nc and result.csv; arrays and sound are those of one run."
             )
         _check_finished(job)
-        request = simulation_from_dict(job.request)
+        request = resolve(job.request)
         if address(request) != job.content:
             raise ResultGone(STALE)
         if (result := self._archive.get(job.content)) is None:
@@ -224,7 +224,7 @@ def address_of(request: dict[str, Any]) -> str:
     """The address of a canonical request of either kind."""
     if request["kind"] == "sweep":
         return sweep_from_dict(request).content
-    return address(simulation_from_dict(request))
+    return address(resolve(request))
 
 
 def _check_finished(job: Job) -> None:

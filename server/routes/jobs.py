@@ -9,7 +9,7 @@ from fastapi.responses import JSONResponse
 from vfcore.errors import ParameterError
 from vfcore.runs.sweep.cost import check_cost as check_sweep_cost
 from vfcore.runs.sweep.document import sweep_to_dict
-from vfcore.spec.address import canonical
+from vfcore.spec.request import document_of
 from vocalis.server.http.openapi import problems
 from vocalis.server.jobs.cost import check_cost
 from vocalis.server.jobs.document import job_document
@@ -60,7 +60,7 @@ async def _simulation(body: JobBody, request: Request, shared: Services) -> tupl
     limit = shared.settings.job_node_steps
     await shared.kernels.for_postures()
     await shared.runs.run(lambda: check_cost(wanted, limit, "VOCALIS_JOB_NODE_STEPS"), request.is_disconnected)
-    return canonical(wanted), 1
+    return document_of(wanted), 1
 
 
 @router.get("", responses={200: {"model": answers.JobList}} | problems(422))

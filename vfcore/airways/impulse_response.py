@@ -14,8 +14,8 @@ So each h_j is shared among the 2a samples around jτ/T, and one formula serves 
 phases into one), T = τ (h itself), T = τ/4 (four interleaved tubes) and anything else. It equals stepping the tube
 with the interpolated flow. At 28 kHz a voice pulse comes out within 0.08 dB up to 10 kHz of the same pulse at the
 paper's step (Keys' cubic convolution would lose 1 dB at 8 kHz). The kernel reads a − 1 later samples, which must
-not take longer than the sound's travel to the lips: a = 6, less where a step is longer than a fifth of the travel. The flow is 0
-before its first sample: a run that starts with flow starts with a jump.
+not take longer than the sound's travel to the lips: a = 6, less where a step is longer than a fifth of the travel. The
+flow is 0 before its first sample: a run that starts with flow starts with a jump.
 
 The far pressure is that of a simple source in free field, p = ρ/(4πr) dU/dt (Morse & Ingard 1968), without the
 travel time from the lips; dU/dt by the fourth-order central difference at τ (at 8 kHz within 0.1 %).

@@ -4,8 +4,8 @@ Generations 0 to 3 of Weibel's model A, the parallel tubes of a generation as on
 Matsudaira & Kaneko 1976; Titze 2006). They are 19.4 cm long; the effective acoustic length of the subglottal tract of
 men is 19.5 cm (Hanna, Smith & Wolfe 2018). Beyond, the total area flares and the tract acts as open. It ends in a
 resistance: a wave returns as −0.8 of itself (the lung end of Story's and Titze's simulations), so that the lung
-pressure reaches a glottis at rest and a steady flow loses little of it. Loss per crossing 11.2e-3 δ/√A, about three times
-that of the vocal tract (Titze 2006, as used with Alzamendi et al. 2022).
+pressure reaches a glottis at rest and a steady flow loses little of it. Loss per crossing 11.2e-3 δ/√A, about three
+times that of the vocal tract (Titze 2006, as used with Alzamendi et al. 2022).
 
 Resonances with closed glottis: 430, 1335 and 2230 Hz, bandwidths about 150 Hz. In men about 550, 1350 and 2200 Hz are
 measured (Lulich et al. 2012, approximate): the first is higher because the walls yield, which is not modelled.

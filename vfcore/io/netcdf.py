@@ -70,7 +70,7 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
 
 
 def _bar_of(document: dict[str, Any], key: str) -> dict[str, Any]:
-    """Attributes that hold the error bar of a measure, where there is an error estimate (NaN with a reason for none)."""
+    """Attributes that hold the error bar of a measure, where they were estimated (NaN with a reason for none)."""
     if document["error_estimate"] is None:
         return {}
     bar = document["error_estimate"]["measures"][key]

@@ -18,7 +18,7 @@ from vfcore.measures.measure import Measure
 from vfcore.runs.error_estimate import METHOD
 from vfcore.runs.one import FoldSetup
 from vfcore.runs.result import ARRAYS, SimulationResult
-from vfcore.spec.document import simulation_to_dict
+from vfcore.spec.request import document_of
 
 ARRAY_DTYPE = "float32"  # as bytes in answers; files and Python hold float64
 
@@ -85,7 +85,7 @@ def result_document(result: SimulationResult) -> dict[str, Any]:
             }
             for name, spec in ARRAYS.items()
         },
-        "provenance": dataclasses.asdict(result.provenance) | {"request": simulation_to_dict(result.request)},
+        "provenance": dataclasses.asdict(result.provenance) | {"request": document_of(result.request)},
     }
     document = without_gaps(document)
     if report.periodicity is None:
@@ -128,7 +128,7 @@ def measure_document(measure: Measure) -> dict[str, Any]:
 
 
 def _error_estimate(result: SimulationResult) -> dict[str, Any] | None:
-    """Method, the runs compared, and per measure its bar in the measure's unit; None for a run without error estimate."""
+    """Method, the runs compared, and per measure its bar in the measure's unit; None where not estimated."""
     estimate = result.error_estimate
     if estimate is None:
         return None

@@ -2,8 +2,8 @@
 
 A cycle of length T is closed while its area is below 0.1 % of its own peak. The instants of crossing are interpolated
 between samples. Where the area is flat on the closed side, as a rule at 0, the sample there does not show when the
-glottis closed or opened: the crossing is then extrapolated from the three samples on the open side, along the parabola through
-them, and kept within its interval.
+glottis closed or opened: the crossing is then extrapolated from the three samples on the open side, along the parabola
+through them, and kept within its interval.
 """
 
 from dataclasses import dataclass

@@ -241,7 +241,7 @@ ROWS = (
         decimals=2,
         signals=(VIBRATION,),
         definition="Mean difference between the lengths of neighbouring cycles, relative to the mean length. "
-        "Given for irregular voices only; above about 5 % it ranks voices no longer.",
+        "Given for irregular voices only; above about 5 % it no longer ranks voices.",
         formula="100 · mean|T_i − T_i+1| / mean T",
         threshold="cycle lengths from opening to opening (from minimum to minimum where the glottis never closes)",
         source="Titze (1995)",
