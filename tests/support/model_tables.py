@@ -61,10 +61,10 @@ def page_of(name: str) -> Path:
 def measures() -> str:
     rows = (
         (f"`{m['key']}`", m["symbol"], m["unit"], f"{m['definition']} `{m['formula']}`", m["threshold"] or "–",
-         m["needs"], m["source"])
+         m["needs"], ", ".join(f"`{name}`" for name in m["signals"]), m["source"])
         for m in CATALOGUE.as_rows()
     )  # fmt: skip
-    return table(("key", "symbol", "unit", "definition and formula", "threshold", "given for", "source"), rows)
+    return table(("key", "symbol", "unit", "definition and formula", "threshold", "given for", "signals", "source"), rows)
 
 
 def _constants(kind) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 from vfcore.errors import VocalisError
 from vfcore.io.result_document import Quantity
 from vfcore.measures.catalogue import CATALOGUE
+from vfcore.measures.measure import Measure
 from vfcore.runs.many import Point
 from vfcore.runs.sweep.plan import Sweep
 
@@ -43,11 +44,8 @@ def row_of(point: Point | VocalisError, keys: list[str]) -> Row:
     values = np.full(len(keys), np.nan)
     reasons: dict[str, list[int]] = {}
     for column, key in enumerate(keys):
-        if key == PERIODICITY:
-            value, reason = report.periodicity, report.explanation
-        else:
-            measure = report.measures[key]
-            value, reason = measure.value, measure.reason
+        measure = Measure(report.periodicity, "1", report.explanation) if key == PERIODICITY else report.measures[key]
+        value, reason = measure.value, measure.reason
         if value is not None and np.isfinite(value):
             values[column] = value
         else:
