@@ -64,7 +64,8 @@ def measures() -> str:
          m["needs"], ", ".join(f"`{name}`" for name in m["signals"]), m["source"])
         for m in CATALOGUE.as_rows()
     )  # fmt: skip
-    return table(("key", "symbol", "unit", "definition and formula", "threshold", "given for", "signals", "source"), rows)
+    head = ("key", "symbol", "unit", "definition and formula", "threshold", "given for", "signals", "source")
+    return table(head, rows)
 
 
 def _constants(kind) -> str:
