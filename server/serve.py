@@ -12,8 +12,8 @@ from pydantic import ValidationError
 from sqlalchemy.exc import SQLAlchemyError
 
 from vocalis.server.app import create_app
+from vocalis.server.exceptions import StorageUnusable
 from vocalis.server.http.access import is_loopback
-from vocalis.server.jobs.database import StorageUnusable
 from vocalis.server.live.handover import HandsOver
 from vocalis.server.services import Services
 from vocalis.server.settings import Settings
@@ -44,7 +44,7 @@ def serve(
     listener = _listen(settings.host, settings.port)
     app = create_app(settings)
     try:
-        app.state.services.open()
+        app.state.services.storage.open()
     except (OSError, StorageUnusable, SQLAlchemyError) as error:
         why = getattr(error, "orig", None) or error
         sys.exit(f"vocalis: the folder of jobs cannot be used: {why}; name another one in VOCALIS_JOBS_DIRECTORY")
@@ -97,8 +97,8 @@ class _Server(uvicorn.Server):
 
 def _greet(services: Services, address: str) -> None:
     print(f"Vocalis: {address} (Ctrl-C stops it)", flush=True)
-    if services.folder.number > 1:
-        where = services.folder.path
+    if services.storage.folder.number > 1:
+        where = services.storage.folder.path
         print(f"Another server runs the jobs of this folder; this one keeps its own in {where}", flush=True)
     settings, token = services.settings, services.access.token
     if token is not None and settings.token is None:

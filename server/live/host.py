@@ -9,7 +9,7 @@ from itertools import count
 from multiprocessing.connection import Connection
 from typing import Any
 
-from vocalis.server.http.problems import NotReady, TooMany
+from vocalis.server.exceptions import NotReady, TooMany
 from vocalis.server.live.handover import Handed
 from vocalis.server.live.process import FAREWELL_S, WARM, serve_voices
 
@@ -17,7 +17,7 @@ _SPAWN = multiprocessing.get_context("spawn")
 START_S = 60.0  # compiling on a slow machine
 
 
-class Host:
+class VoiceHost:
     """At most ``most`` voices. Their process starts with the first one, and anew when it has died."""
 
     def __init__(self, most: int):

@@ -14,13 +14,13 @@ from vfcore.runs.gesture.voice import BLOCK_S, Voice
 from vfcore.spec.document import simulation_from_dict, simulation_to_dict
 from vfcore.spec.simulation import Activation, Simulation
 from vfcore.version import MODEL_VERSION
-from vocalis.server.http.problems import problem_of
 from vocalis.server.live.client import GOING_AWAY, Client, Left
 from vocalis.server.live.pace import EARLY_S, Pace
 from vocalis.server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, merged, read_message
 from vocalis.server.live.recording import Recording
 from vocalis.server.live.shown import STATE_EVERY, Shown, rounded
 from vocalis.server.live.strobe import Strobe
+from vocalis.server.problems import problem_of
 
 FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from

@@ -1,4 +1,4 @@
-"""WS /live: a voice to play, see server/live/protocol.py for what is said."""
+"""WS /live: a voice to play; server/live/protocol.py describes the messages."""
 
 import asyncio
 from contextlib import suppress
@@ -6,8 +6,9 @@ from contextlib import suppress
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 
 from vfcore.errors import VocalisError
-from vocalis.server.http.problems import NotReady, problem_of
+from vocalis.server.exceptions import NotReady
 from vocalis.server.live.handover import hand_over_of
+from vocalis.server.problems import problem_of
 from vocalis.server.services import Services
 
 router = APIRouter()

@@ -13,7 +13,7 @@ from vfcore.spec.area_functions import area_function
 from vfcore.spec.document import simulation_from_dict
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.simulation import VARIANTS, VOWELS, Simulation
-from vocalis.server.http.openapi import problems
+from vocalis.server.http.openapi import ok, problems
 from vocalis.server.schemas import answers
 
 router = APIRouter(prefix="/tract", tags=["catalogue"])
@@ -34,7 +34,7 @@ Speed = Annotated[
 ]
 
 
-@router.get("/{vowel}", responses={200: {"model": answers.TractAnswer}} | problems(404, 422))
+@router.get("/{vowel}", responses=ok(model=answers.TractAnswer) | problems(404, 422))
 def tract(
     vowel: Literal[tuple(VOWELS)],
     variant: Annotated[Literal[tuple(VARIANTS)], Query(description="model variant, whose airways these are")] = "paper",

@@ -216,24 +216,3 @@ class SweepResult(BaseModel):
 class SimulateAnswer(Result):
     id: str = Field(description="address of the result, as for a job")
     links: dict[str, str]
-
-
-class JobAnswer(BaseModel):
-    id: str
-    kind: Literal["simulation", "sweep"]
-    status: Literal["accepted", "running", "successful", "failed", "dismissed"]
-    progress: float = Field(ge=0, le=1)
-    n_done: int
-    n_total: int
-    n_failed: int
-    created: str
-    started: str | None
-    finished: str | None
-    request: dict[str, Any]
-    problem: Problem | None
-    links: dict[str, str]
-
-
-class JobList(BaseModel):
-    jobs: list[JobAnswer]
-    next_cursor: str | None = Field(description="cursor of the next page; null on the last one")

@@ -4,14 +4,14 @@ each.
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, Discriminator, Field, Tag
+from pydantic import BaseModel, Field
 
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.many import PRECISIONS, SINGLE_PRECISION
 from vfcore.runs.sweep.document import MOST_AXES, sweep_from_dict
 from vfcore.runs.sweep.plan import Sweep
 from vfcore.spec.document import numeric_paths
-from vocalis.server.schemas.requests import STRICT, JobBody, SimulationBody
+from vocalis.server.schemas.requests import STRICT, SimulationBody
 
 Path = Annotated[str, Field(json_schema_extra={"enum": list(numeric_paths())})]
 
@@ -43,17 +43,6 @@ class SweepBody(BaseModel):
     )
     keep_waveforms: bool = Field(False, description="keep every point as a whole run as well; up to 500 points")
     fresh: bool = Field(False, description="compute again what is stored already")
-
-
-TAGS = ("simulation", "sweep")
-
-
-def _tag(body: Any) -> str:
-    kind = body.get("kind") if isinstance(body, dict) else getattr(body, "kind", None)
-    return "sweep" if kind == "sweep" else "simulation"
-
-
-AnyJobBody = Annotated[Annotated[JobBody, Tag("simulation")] | Annotated[SweepBody, Tag("sweep")], Discriminator(_tag)]
 
 
 def sweep_of(body: SweepBody) -> Sweep:

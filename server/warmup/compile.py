@@ -15,7 +15,7 @@ from vfcore.runs.gesture.voice import Voice
 from vfcore.runs.one import simulate
 from vfcore.spec.simulation import Simulation
 from vocalis.server.warmup.live import rehearse
-from vocalis.server.warmup.requests import COUPLED, IRREGULAR, PERIODIC, rehearse_points
+from vocalis.server.warmup.requests import COUPLED, IRREGULAR, PERIODIC, warm_up_points
 
 _COMPLETE = "complete"  # the file that says so, beside the kernels
 _NICENESS = 10
@@ -27,7 +27,7 @@ def compile_everything() -> None:
         simulate(request)
     rehearse()
     Voice(Simulation()).advance(Simulation(vowel="i"))  # a gesture: with the sound at 0.3 m
-    rehearse_points()
+    warm_up_points()
     with suppress(OSError):  # a folder that others own
         (kernel_directory() / _COMPLETE).touch()
 

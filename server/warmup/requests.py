@@ -11,7 +11,7 @@ IRREGULAR = replace(PERIODIC, activation=replace(PERIODIC.activation, ct=0.0, ta
 COUPLED = Simulation(model=Model(coupling="two_way"), run=Run(duration_s=0.02))
 
 
-def rehearse_points() -> None:
+def warm_up_points() -> None:
     """Many side by side, in both precisions."""
     for precision in PRECISIONS:
         list(run_points([PERIODIC, IRREGULAR], precision=precision))

@@ -9,7 +9,7 @@ from multiprocessing.process import BaseProcess
 
 from vfcore.runs.one import prepare, simulate
 from vfcore.version import MODEL_VERSION
-from vocalis.server.http.problems import NotReady
+from vocalis.server.exceptions import NotReady
 from vocalis.server.warmup.compile import compile_behind
 from vocalis.server.warmup.requests import COUPLED, IRREGULAR, PERIODIC
 

@@ -9,10 +9,11 @@ import pytest
 
 import vocalis.server
 from vfcore.runs.one import simulate
-from vocalis.server.http.problems import OTHER, TABLE, NotReady, kind_of
+from vocalis.server.exceptions import ClientLeft, NotReady, Superseded
 from vocalis.server.jobs.events import DONE, PROGRESS, EventLog
-from vocalis.server.jobs.interactive import ClientLeft, Interactive, Overtaken
 from vocalis.server.jobs.model import TRANSITIONS, IllegalTransition, Job, Status
+from vocalis.server.limiter import LatestFirstLimiter
+from vocalis.server.problems import OTHER, TABLE, kind_of
 from vocalis.server.warmup.requests import IRREGULAR, PERIODIC
 from vocalis.server.warmup.state import Kernels
 
@@ -50,7 +51,7 @@ def in_turn(slots: int, waiting: int, calls: int) -> list:
     """Outcomes of calls that come one after the other while the first one holds the only slot; then their order."""
 
     async def main():
-        gate, release, order = Interactive(slots, waiting, "test"), threading.Event(), []
+        gate, release, order = LatestFirstLimiter(slots, waiting, "test"), threading.Event(), []
 
         def call(number):
             if number == 0:
@@ -77,12 +78,12 @@ def test_the_newest_call_is_next():
 def test_the_oldest_waiting_call_is_turned_away_when_too_many_wait():
     order, outcomes = in_turn(slots=1, waiting=2, calls=4)
     assert order == [0, 3, 2]
-    assert isinstance(outcomes[1], Overtaken) and "2 places" in str(outcomes[1])
+    assert isinstance(outcomes[1], Superseded) and "2 places" in str(outcomes[1])
 
 
 def test_a_call_whose_client_left_is_not_computed_and_its_slot_goes_on():
     async def main():
-        gate = Interactive(1, 2, "test")
+        gate = LatestFirstLimiter(1, 2, "test")
 
         async def gone():
             return True
@@ -98,7 +99,7 @@ def test_a_call_whose_client_left_is_not_computed_and_its_slot_goes_on():
 
 def test_a_cancelled_wait_gives_its_place_back():
     async def main():
-        gate, release = Interactive(1, 2, "test"), threading.Event()
+        gate, release = LatestFirstLimiter(1, 2, "test"), threading.Event()
         first = asyncio.create_task(gate.run(lambda: release.wait(5)))
         await asyncio.sleep(0.01)
         second = asyncio.create_task(gate.run(lambda: "second"))

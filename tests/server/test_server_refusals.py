@@ -175,7 +175,7 @@ def test_results_make_room_for_newer_ones_and_say_so():
     with serving(result_bytes=2**20, stored_bytes=2**20) as server, server.client() as client:
         first = finish(client, run(client, SHORT))
         finish(client, run(client, {"run": {"duration_s": 0.5}}))
-        server.services.retention.tidy()
+        server.services.storage.retention.tidy()
         assert "the same request makes it again" in problem(client.get(f"/jobs/{first['id']}/result"), 410)["detail"]
         again = finish(client, run(client, SHORT))
         assert client.get(f"/jobs/{again['id']}/result").status_code == 200
