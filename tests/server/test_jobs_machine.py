@@ -76,9 +76,7 @@ class Jobs(RuleBasedStateMachine):
         assert once.status is Status.DISMISSED
         assert self.system.jobs.dismiss(job_id) == once
         still = self.system.storage.jobs.handles(once.work_id)
-        assert (once.work_id in self.system.scheduler.work) == bool(still), (
-            "work goes on while a job waits"
-        )
+        assert (once.work_id in self.system.scheduler.work) == bool(still), "work goes on while a job waits"
 
     @rule(data=st.data(), end=st.sampled_from(["finished", "failed", "retried", "progress"]))
     def work_on_a_run(self, data, end):

@@ -163,9 +163,7 @@ def test_old_jobs_and_large_results_go_and_work_under_way_stays(tmp_path):
     active = system.jobs.submit("A", simulation(vowel="a"), fresh=True)
     system.storage.retention.tidy()
     assert {job.id for job in system.jobs.jobs("A", None, None, 100, None)[0]} == {ended[3].id, ended[4].id, active.id}
-    assert system.storage.results.total_bytes() <= 2 * size + size, (
-        "the result of a job under way is kept"
-    )
+    assert system.storage.results.total_bytes() <= 2 * size + size, "the result of a job under way is kept"
     assert system.storage.results.is_stored(ended[4].content) and not system.storage.results.is_stored(ended[1].content)
     system.storage.retention._limits = Limits(jobs=100, days=1e-9, result_bytes=2**30, points=1000)
     system.storage.retention.tidy()
