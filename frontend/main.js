@@ -1,40 +1,60 @@
-/** Starts the page: waits for the model, reads what there is to set and to read, then follows hand, voice and address. */
-import { effect, html, render } from "./ui.js";
-import { Problem, getJson } from "./api.js";
-import { followAudition } from "./audio/audition.js";
-import { followVoice } from "./audio/sound.js";
-import { Disposal } from "./dispose.js";
-import { followKeys } from "./keys.js";
-import { followRequest } from "./live.js";
-import { stopFollowing } from "./longrun.js";
-import { followMotion } from "./motion.js";
-import { readSchema } from "./params.js";
-import { palette } from "./plots/theme.js";
-import { followSpeech } from "./speak.js";
-import { followHistory } from "./state/history.js";
-import { answered } from "./state/outcome.js";
+/**
+ * Starts the page: waits for the model, reads the parameters and measures, then follows the user, the sound and the
+ * address.
+ */
+import { effect, html, render } from "./core/ui.js";
+import { getJson, Problem } from "./core/api.js";
+import { Disposal } from "./core/dispose.js";
+import { readSchema } from "./core/parameters.js";
+import { palette } from "./core/theme.js";
+import { answered } from "./state/answers.js";
 import { begin, schema, version } from "./state/request.js";
-import { followRest } from "./state/rested.js";
 import { setConnection, setHealth, showNotice } from "./state/session.js";
-import { TOP } from "./texts.js";
-import { followTract } from "./tracts.js";
-import { followUrl, readQuery } from "./url.js";
-import { App } from "./views/App.js";
+import { followSettled } from "./state/settled.js";
+import { followHistory } from "./features/history/history.js";
+import { followAnnouncements } from "./features/live/announce.js";
+import { followRequest } from "./features/live/follow-request.js";
+import { stopFollowing } from "./features/long-run/run.js";
+import { App } from "./features/page/app.js";
+import { followKeys } from "./features/page/keys.js";
+import { TOP } from "./features/page/texts.js";
+import { followUrl, readQuery } from "./features/page/url.js";
+import { followAudition } from "./features/sound/audition.js";
+import { followSound } from "./features/sound/sound.js";
+import { followTract } from "./features/spectrum/tract.js";
+import { followMotion } from "./features/stage/animate.js";
 
 const POLL_MS = 400;
 
 const page = new Disposal();
 page.add(effect(() => void palette.value)); // sets the theme before the first paint
 page.add(effect(() => document.body.setAttribute("aria-busy", String(answered.value !== version.value))));
-render(html`<${App} entered=${start} />`, document.getElementById("page"));
-for (const follow of [followKeys, followMotion, followVoice, followAudition, followRest, followHistory, followTract, followRequest, followUrl, followSpeech]) page.add(follow());
+render(
+  html`
+    <${App} entered=${start} />
+  `,
+  document.getElementById("page"),
+);
+for (const follow of [
+  followKeys,
+  followMotion,
+  followSound,
+  followAudition,
+  followSettled,
+  followHistory,
+  followTract,
+  followRequest,
+  followUrl,
+  followAnnouncements,
+])
+  page.add(follow());
 page.add(stopFollowing);
 page.listen(window, "pagehide", (event) => !event.persisted && page.dispose());
 start();
 
 async function start() {
   try {
-    const catalogue = schema.peek() ? null : askCatalogue(); // meanwhile: most often the model is ready
+    const catalogue = schema.peek() ? null : askCatalogue(); // at the same time: most often the model is ready
     await modelReady();
     if (!schema.peek()) takeCatalogue(await catalogue);
     setConnection("ready");
@@ -56,7 +76,7 @@ async function modelReady() {
 
 function askCatalogue() {
   const answers = Promise.all([getJson("parameters"), getJson("measures")]);
-  answers.catch(() => {}); // told where it is waited for
+  answers.catch(() => {}); // reported where the answers are awaited
   return answers;
 }
 

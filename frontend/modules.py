@@ -1,6 +1,6 @@
-"""What the page fetches first, told to browsers in one go: without it they find module after module, level by level.
+"""The list of modules that the page needs first. Without it a browser finds them import by import, level by level.
 
-``python -m vocalis.frontend.modules`` writes the list into index.html; a test holds it to what the modules import.
+``python -m vocalis.frontend.modules`` writes the list into index.html; a test compares it with the imports.
 """
 
 import re
@@ -16,7 +16,7 @@ LINES = re.compile(r'(?:  <link rel="modulepreload" href="[^"]+">\n)*(?=  <scrip
 
 
 def needed(first: str = "main.js") -> list[str]:
-    """Modules that ``first`` needs before it runs, as they are found: those it imports, those they import …"""
+    """Modules that ``first`` needs before it runs, in the order of discovery: its imports, their imports …"""
     found = [first]
     for name in found:
         path = FOLDER / name
@@ -28,7 +28,7 @@ def needed(first: str = "main.js") -> list[str]:
 
 
 def with_list(page: str) -> str:
-    """The page with its list made anew."""
+    """The page with its list written again."""
     return LINES.sub("".join(map(LINE.format, needed())), page, count=1)
 
 

@@ -18,6 +18,7 @@ from vocalis.server.routes import (
     live,
     page,
     posture,
+    resolve,
     results,
     session,
     simulate,
@@ -43,7 +44,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         openapi_url=f"{API}/openapi.json",
     )
     app.state.services = services
-    for module in (catalogue, tract, posture, simulate, jobs, results, events, session, live, gestures):
+    for module in (catalogue, resolve, tract, posture, simulate, jobs, results, events, session, live, gestures):
         app.include_router(module.router, prefix=API)
     errors.install(app)
     openapi.install(app)

@@ -1,4 +1,4 @@
-"""The rooms of docs/implementation.md, held: who may import whom, and what may stand where."""
+"""The layers of docs/architecture.md, held: who may import whom, and what may stand where."""
 
 import ast
 import re
@@ -22,10 +22,7 @@ WEB_AND_PLOTS = {
     "rich",
 }
 #: What says how a fold is and how it is asked for.
-BASE = {
-    "errors",
-    *(f"spec.{name}" for name in ("fields", "fold_constants", "posture_sets", "simulation", "variants")),
-}
+BASE = {"errors", "spec"}
 PHYSICS = {"errors", "version", "spec", "kernels", "larynx", "fold", "airways", "measures"}
 #: For each room of vfcore, the rooms and modules it may import besides itself. A more specific name overrules its room.
 MAY_IMPORT = {
@@ -33,13 +30,6 @@ MAY_IMPORT = {
     "version": set(),
     "spec": {"errors", "version"},
     "spec.fields": {"errors"},
-    "spec.fold_constants": {"errors", "spec.fields"},
-    "spec.variants": {"spec.fold_constants"},
-    "spec.posture_sets": {"errors", "spec.fields", "spec.joints", "spec.muscles"},
-    "spec.simulation": {
-        "errors",
-        *(f"spec.{name}" for name in ("fields", "fold_constants", "posture_sets", "variants")),
-    },
     "kernels": set(),
     "larynx": BASE | {"kernels"},
     "larynx.posture": BASE | {"kernels", "spec.muscles"},
@@ -63,13 +53,8 @@ MAY_IMPORT = {
     "runs.gesture": PHYSICS | {"runs", "io.atomic", "io.audio", "io.hdf5", "io.result_document"},
     "io": PHYSICS | {"runs"},
 }
-#: For each folder of the page, the folders it must not see.
-PAGE_MUST_NOT_SEE = {
-    "state": ("controls", "views", "audio", "plots"),
-    "plots": ("controls", "views", "audio"),
-    "audio": ("controls", "views", "plots"),
-    "controls": ("views",),
-}
+#: Layers of the page, lowest first: a folder imports from its own layer and from those before it.
+PAGE_LAYERS = ("vendor", "core", "state", "features")
 
 
 def files(*suffixes: str, under: tuple[str, ...] = PYTHON_ROOMS) -> list[Path]:
@@ -168,13 +153,41 @@ def test_jobs_do_not_know_the_web():
     assert not [name_of(path) for path in jobs if top_levels(path) & {"fastapi", "starlette"}]
 
 
-@pytest.mark.parametrize("room", PAGE_MUST_NOT_SEE)
-def test_the_parts_of_the_page_meet_in_the_state(room):
-    scripts = files(".js", under=(f"frontend/{room}",))
-    assert scripts
+PAGE = ROOT / "frontend"
+PAGE_IMPORT = re.compile(r"""(?:from|import)\s*\(?\s*["'](\.[^"']+)["']""")
+
+
+def page_imports(path: Path) -> set[str]:
+    """Modules of the page that a module imports, at once or later, as paths under frontend."""
+    found = PAGE_IMPORT.findall(path.read_text(encoding="utf-8"))
+    return {(path.parent / name).resolve().relative_to(PAGE).as_posix() for name in found}
+
+
+def feature_of(name: str) -> str:
+    return name.split("/")[1]
+
+
+def test_the_layers_of_the_page_point_down():
+    scripts = [path for path in files(".js", under=("frontend",)) if path.parent != PAGE]
+    assert len(scripts) > 50
     for path in scripts:
-        seen = re.findall(r"""(?:from|import)\s*\(?["'](?:\.\./)+(\w+)/""", path.read_text(encoding="utf-8"))
-        assert not set(seen) & set(PAGE_MUST_NOT_SEE[room]), name_of(path)
+        layer = path.relative_to(PAGE).parts[0]
+        allowed = PAGE_LAYERS[: PAGE_LAYERS.index(layer) + 1]
+        assert {name.split("/")[0] for name in page_imports(path)} <= set(allowed), name_of(path)
+
+
+def test_no_feature_of_the_page_needs_itself():
+    """Features may use one another, but never in a circle: each can be read without those that use it."""
+    graph: dict[str, set[str]] = {}
+    for path in files(".js", under=("frontend/features",)):
+        own = path.relative_to(PAGE / "features").parts[0]
+        used = {feature_of(name) for name in page_imports(path) if name.startswith("features/")}
+        graph.setdefault(own, set()).update(used - {own})
+    assert len(graph) > 10
+    while graph:
+        free = {name for name, used in graph.items() if not used & set(graph)}
+        assert free, f"a circle among {sorted(graph)}"
+        graph = {name: used for name, used in graph.items() if name not in free}
 
 
 def test_nothing_prints_but_the_command_line():
@@ -223,10 +236,9 @@ MARKUP_WORDS = re.compile(
 )
 
 
-def test_the_words_of_the_page_stand_in_one_file():
-    """Lessons are data; what stands before the page's script is in index.html."""
+def test_the_words_of_the_page_are_in_its_texts():
+    """Lessons are data; the words before the page's script are in index.html."""
     scripts = files(".js", under=("frontend",))
-    assert [path.name for path in scripts if path.name.startswith("texts")] == ["texts.js"]
     stray = {
         name_of(path): words
         for path in scripts
@@ -242,4 +254,4 @@ def test_the_page_tells_browsers_what_it_will_need():
 
     page = modules.INDEX.read_text(encoding="utf-8")
     assert len(modules.needed()) > 50
-    assert modules.with_list(page) == page, "write the list anew: python -m vocalis.frontend.modules"
+    assert modules.with_list(page) == page, "write the list again: python -m vocalis.frontend.modules"

@@ -13,6 +13,8 @@ from vfcore.measures.signals import Signals
 from vfcore.runs.one import simulate, static_shape
 from vfcore.runs.result import ARRAYS, SimulationResult
 from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.larynx import Larynx
+from vfcore.spec.request import patched, resolve
 from vfcore.spec.simulation import Activation, Model, PostureOverride, Run, Simulation
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
@@ -24,6 +26,7 @@ __all__ = [
     "MODEL_VERSION",
     "Activation",
     "FoldConstants",
+    "Larynx",
     "Model",
     "PostureOverride",
     "Run",
@@ -31,6 +34,8 @@ __all__ = [
     "Simulation",
     "SimulationResult",
     "measure",
+    "patched",
+    "resolve",
     "simulate",
     "solve_posture",
     "static_shape",

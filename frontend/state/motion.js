@@ -1,10 +1,9 @@
-/** Where in the cycle the page looks: one phase shared by stage, maps and waves, still or in slow motion. */
-import { signal } from "../ui.js";
-import { readonly } from "./readonly.js";
+/** The phase of the cycle that stage, maps and waves show: at rest, in slow motion, or under a strobe. */
+import { readonly, signal } from "../core/ui.js";
 
 export const RATES = [25, 50, 100, 200, 400];
 
-/** Images a second of the stroboscope, and how many visible cycles a second it can be set to show. */
+/** Flashes per second of the strobe, and its choices of visible cycles per second. */
 export const FLASHES_HZ = 25;
 export const STROBES = [0.5, 1, 2];
 
@@ -17,21 +16,21 @@ const _pointing = signal(false);
 const _slowdown = signal(100);
 const _strobe = signal(null);
 
-/** 0 to 1 of the cycle shown. */
+/** The phase on display, 0 to 1. */
 export const phase = readonly(_phase);
-/** The same for words and numbers, which follow the motion at reading speed. */
+/** The same for texts and numbers, which follow the motion at reading speed. */
 export const readout = readonly(_readout);
 export const moving = readonly(_moving);
-/** A pointer rests on the waves: the motion waits for it to leave. */
+/** A pointer is over the waves: the motion waits until it leaves. */
 export const pointing = readonly(_pointing);
-/** Shown at one over this speed. */
+/** The motion is slower by this factor. */
 export const slowdown = readonly(_slowdown);
-/** Visible cycles a second of the stroboscope, locked to f_o; null: slow motion instead. */
+/** Visible cycles per second of the strobe, locked to f_o; null: slow motion. */
 export const strobe = readonly(_strobe);
 
 let readAt = 0;
 
-/** Move on within the motion. */
+/** Set the phase during the motion. */
 export function setPhase(value) {
   _phase.value = value - Math.floor(value);
   if (performance.now() - readAt < READOUT_MS) return;
@@ -44,13 +43,13 @@ function lookAt(value) {
   _readout.value = _phase.value;
 }
 
-/** Look at one phase: the motion stops there. */
+/** Show one phase and stop the motion there. */
 export function holdPhase(value) {
   _moving.value = false;
   lookAt(value);
 }
 
-/** Look at one phase for as long as the pointer is there. */
+/** Show one phase while the pointer is there. */
 export function pointAt(value) {
   _pointing.value = true;
   lookAt(value);
@@ -60,7 +59,7 @@ export function stopPointing() {
   _pointing.value = false;
 }
 
-/** Where the motion stops, words and numbers are those of the picture. */
+/** When the motion stops, texts and numbers agree with the picture. */
 export function setMoving(on) {
   _moving.value = on;
   if (!on) _readout.value = _phase.value;
@@ -71,7 +70,7 @@ export function setSlowdown(value) {
   _slowdown.value = value;
 }
 
-/** Light the folds in flashes, each a little later in the cycle, so that `hz` cycles a second are seen at any pitch. */
+/** Light the folds in flashes, each a little later in the cycle: `hz` visible cycles per second at any pitch. */
 export function setStrobe(hz) {
   _strobe.value = hz;
 }

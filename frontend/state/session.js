@@ -1,6 +1,5 @@
-/** Where the page stands with its server: starting, ready, asking for a token, or without an answer. */
-import { signal } from "../ui.js";
-import { readonly } from "./readonly.js";
+/** The page and its server: starting, ready, asking for a token, or offline; and short messages to the user. */
+import { readonly, signal } from "../core/ui.js";
 
 const _connection = signal("starting"); // starting | ready | login | offline
 const _health = signal(null);
@@ -9,7 +8,7 @@ const _announcement = signal("");
 
 export const connection = readonly(_connection);
 export const health = readonly(_health);
-/** One line for the eye, gone after a few seconds. */
+/** One visible line that disappears after a few seconds. */
 export const notice = readonly(_notice);
 /** One line for screen readers. */
 export const announcement = readonly(_announcement);

@@ -62,8 +62,8 @@ def fetch(package: Package) -> None:
 
 
 def relative(source: str) -> str:
-    """Bare specifiers to files beside the importing one; the source map comment goes, as no map is served."""
-    source = re.sub(r"//# sourceMappingURL=\S+\s*", "", source)
+    """Bare specifiers become files in this folder. The source map comment is dropped: no map is served."""
+    source = "// @ts-nocheck\n" + re.sub(r"//# sourceMappingURL=\S+\s*", "", source)
     return re.sub(r'((?:from|import)\s*)"([^"./][^"]*)"', lambda m: f'{m[1]}"{SPECIFIERS[m[2]]}"', source)
 
 

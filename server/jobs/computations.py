@@ -16,9 +16,9 @@ def run_simulation(
 ) -> "SimulationResult":
     """Run the simulation of a canonical request document; raises what ``vfcore.simulate`` raises."""
     from vfcore.runs.one import simulate
-    from vfcore.spec.document import simulation_from_dict
+    from vfcore.spec.request import resolve
 
-    return simulate(simulation_from_dict(request), progress, stop)
+    return simulate(resolve(request), progress, stop)
 
 
 def run_part_of_sweep(

@@ -2,21 +2,21 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any
 
 from vfcore.errors import ParameterError, VocalisError
 from vfcore.io.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 from vfcore.io.result_document import json_text
-from vfcore.runs.gesture.gesture import MOVABLE, with_numbers
-from vfcore.runs.gesture.slew import approach, differences, is_near, number_at
+from vfcore.runs.gesture.slew import differences, is_near, slew_limited
 from vfcore.runs.gesture.voice import BLOCK_S, Voice
-from vfcore.spec.document import simulation_from_dict, simulation_to_dict
-from vfcore.spec.simulation import Activation, Simulation
+from vfcore.spec.paths import value_at
+from vfcore.spec.request import flat, patched
+from vfcore.spec.simulation import Simulation
 from vfcore.version import MODEL_VERSION
 from vocalis.server.live.client import GOING_AWAY, Client, Left
 from vocalis.server.live.pace import EARLY_S, Pace
-from vocalis.server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, merged, read_message
+from vocalis.server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, read_message
 from vocalis.server.live.recording import Recording
 from vocalis.server.live.shown import STATE_EVERY, Shown, rounded
 from vocalis.server.live.strobe import Strobe
@@ -26,9 +26,6 @@ FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
 LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
 CALM_BLOCKS = 25  # after so long without a movement the hand rests
 MOST_AT_ONCE = 4  # blocks a turn, when a voice is late: the others wait
-#: Numbers that are changed without reading the whole document again.
-QUICK = frozenset(path for path in MOVABLE if path.startswith("activation.") or "." not in path)
-MUSCLES = frozenset(field.name for field in fields(Activation))
 
 
 class Player:
@@ -158,8 +155,8 @@ class Player:
             self._paths = ()
             return wanted
         else:
-            target = approach(now, wanted, self._paths)
-            self._paths = tuple(p for p in self._paths if number_at(target, p) != number_at(wanted, p))
+            target = slew_limited(now, wanted, self._paths)
+            self._paths = tuple(p for p in self._paths if value_at(target, p) != value_at(wanted, p))
         return target if target.vowel == wanted.vowel else replace(target, vowel=wanted.vowel)
 
     def _show(self) -> None:
@@ -193,7 +190,7 @@ class Player:
             record, stamp = message.get("record", record), message.get("stamp", stamp)
             for key in CONTROLS:
                 message.pop(key, None)
-            change = merged(change, message) if change else message
+            change |= self._patch(message)
         if change:
             self._want(change)
         if record is not None:
@@ -201,16 +198,22 @@ class Player:
         if stamp is not None:
             self._say({"type": "heard", "stamp": stamp, "sequence": self._sequence})
 
+    def _patch(self, message: dict[str, Any]) -> dict[str, Any]:
+        """The part of a message that is a patch on what is wanted; empty, and reported, where it is none."""
+        try:
+            return flat(message)
+        except ParameterError as error:
+            self._say({"type": "problem", "problem": problem_of(error), "over": False})
+            return {}
+
     def _want(self, change: dict[str, Any]) -> None:
         voice = self._voice
         try:
-            wanted = self._changed(change)
-            if wanted is None:
-                wanted = simulation_from_dict(merged(simulation_to_dict(self._wanted), change))
-                if voice is not None and (wanted.run, wanted.model) != (voice.request.run, voice.request.model):
-                    raise ParameterError("model", "cannot change while the voice goes on", "a new connection")
-                if voice is not None and (wanted.posture is None) != (self._wanted.posture is None):
-                    raise ParameterError("posture", "cannot come or go while the voice goes on", "a new connection")
+            wanted = patched(self._wanted, change)
+            if voice is not None and (wanted.run, wanted.model) != (voice.request.run, voice.request.model):
+                raise ParameterError("model", "cannot change while the voice goes on", "a new connection")
+            if voice is not None and (wanted.posture is None) != (self._wanted.posture is None):
+                raise ParameterError("posture", "cannot come or go while the voice goes on", "a new connection")
         except ParameterError as error:
             self._say({"type": "problem", "problem": problem_of(error), "over": False})
             return
@@ -219,20 +222,6 @@ class Player:
             self._pace.moved = True
             self._paths = differences(voice.request, wanted)
             self._calm = 0
-
-    def _changed(self, change: dict[str, Any]) -> Simulation | None:
-        """The same as the whole document says, where a hand moves muscles or breath as it does sixty times a second."""
-        muscles = change.get("activation")
-        if len(change) == 1 and isinstance(muscles, dict) and muscles.keys() <= MUSCLES:
-            old = self._wanted.activation
-            return self._wanted.with_activation(Activation(**{m: muscles.get(m, getattr(old, m)) for m in MUSCLES}))
-        numbers: dict[str, Any] = {}
-        for key, value in change.items():
-            if key == "activation" and isinstance(value, dict):
-                numbers |= {f"activation.{muscle}": number for muscle, number in value.items()}
-            else:
-                numbers[key] = value
-        return with_numbers(self._wanted, numbers) if QUICK.issuperset(numbers) else None
 
     def _record(self, on: bool) -> None:
         if on:

@@ -51,17 +51,6 @@ def read_message(text: str | bytes) -> dict[str, Any]:
     return message
 
 
-def merged(document: dict[str, Any], change: dict[str, Any]) -> dict[str, Any]:
-    """A request document with a partial one laid over it; neither is touched."""
-    result = dict(document)
-    for key, value in change.items():
-        if isinstance(value, dict) and isinstance(result.get(key), dict):
-            result[key] = merged(result[key], value)
-        else:
-            result[key] = value
-    return result
-
-
 class SoundFrame:
     """A binary frame, number and samples; the same octets every time, for there is one every 10 ms."""
 

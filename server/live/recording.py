@@ -4,9 +4,10 @@ from dataclasses import replace
 from typing import Any
 
 from vfcore.runs.gesture.gesture import Gesture, gesture_to_dict
-from vfcore.runs.gesture.slew import differences, number_at
+from vfcore.runs.gesture.slew import differences
 from vfcore.runs.gesture.track import Track
 from vfcore.runs.gesture.voice import BLOCK_S
+from vfcore.spec.paths import value_at
 from vfcore.spec.simulation import Simulation
 
 LONGEST_BLOCKS = 60_000  # 10 minutes
@@ -27,10 +28,10 @@ class Recording:
             return
         self.blocks = block
         for path in differences(self._last, target):
-            points = self._numbers.setdefault(path, [(0, number_at(self._start, path))])
+            points = self._numbers.setdefault(path, [(0, value_at(self._start, path))])
             if points[-1][0] < block - 1:  # it stood still until the block before
                 points.append((block - 1, points[-1][1]))
-            points.append((block, number_at(target, path)))
+            points.append((block, value_at(target, path)))
         if target.vowel != self._last.vowel:
             self._vowels.append((block, target.vowel))
         self._last = target

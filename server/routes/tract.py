@@ -10,8 +10,8 @@ from fastapi.responses import JSONResponse
 from vfcore.airways.coupled import tract_of
 from vfcore.airways.resonances import closed_glottis_formants, transfer_function
 from vfcore.spec.area_functions import area_function
-from vfcore.spec.document import simulation_from_dict
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.paths import DECLARATIONS, LARYNX
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import VARIANTS, VOWELS, Simulation
 from vocalis.server.http.openapi import ok, problems
 from vocalis.server.schemas import answers
@@ -21,17 +21,15 @@ FORMANTS = 5  # all lie below HIGHEST_HZ for the tracts offered, at the air's us
 HIGHEST_HZ, STEP_HZ = 6000.0, 20.0
 
 
-def _limits(name: str) -> dict[str, float]:
-    metadata = FoldConstants.__dataclass_fields__[name].metadata
-    return {"ge": metadata["low"], "le": metadata["high"]}
+def _constant(name: str) -> Any:
+    """The type of a query that sets one constant of the larynx."""
+    row = DECLARATIONS[f"{LARYNX}.{name}"].metadata
+    unit = "" if row["unit"] == "1" else f", {row['unit']}"
+    about = Query(ge=row["low"], le=row["high"], description=f"{row['label']}{unit}; the variant's own when left out")
+    return Annotated[float | None, about]
 
 
-Density = Annotated[
-    float | None, Query(**_limits("rho_a_kg_m3"), description="density of air, kg/m³; the variant's own when left out")
-]
-Speed = Annotated[
-    float | None, Query(**_limits("c_a_m_s"), description="speed of sound, m/s; the variant's own when left out")
-]
+Density, Speed, Scale = (_constant(name) for name in ("rho_a_kg_m3", "c_a_m_s", "airway_scale"))
 
 
 @router.get("/{vowel}", responses=ok(model=answers.TractAnswer) | problems(404, 422))
@@ -40,13 +38,15 @@ def tract(
     variant: Annotated[Literal[tuple(VARIANTS)], Query(description="model variant, whose airways these are")] = "paper",
     rho_a_kg_m3: Density = None,
     c_a_m_s: Speed = None,
+    airway_scale: Scale = None,
 ) -> JSONResponse:
     """Area function, resonances with the glottis closed, and gain from glottal flow to pressure at the lips.
 
     It is the tract that a run of this vowel, variant and air is heard through.
     """
-    air = {name: value for name, value in (("rho_a_kg_m3", rho_a_kg_m3), ("c_a_m_s", c_a_m_s)) if value is not None}
-    return JSONResponse(_tract(simulation_from_dict({"vowel": vowel, "model": {"variant": variant}, "constants": air})))
+    given = {"rho_a_kg_m3": rho_a_kg_m3, "c_a_m_s": c_a_m_s, "airway_scale": airway_scale}
+    constants = {name: value for name, value in given.items() if value is not None}
+    return JSONResponse(_tract(resolve({"vowel": vowel, "model": {"variant": variant}, "constants": constants})))
 
 
 @lru_cache(maxsize=64)

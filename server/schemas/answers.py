@@ -50,6 +50,15 @@ class Parameters(BaseModel):
     variants: list[dict[str, Any]]
 
 
+class ResolvedRequest(BaseModel):
+    """A request with nothing left to a default."""
+
+    values: dict[str, Any] = Field(description="every value in force by path; null for an optional part not given")
+    patch: dict[str, Any] = Field(description="the shortest patch by path that resolves to the same request")
+    request: dict[str, Any] = Field(description="the complete request document")
+    id: str = Field(description="the address of its result")
+
+
 class Measures(BaseModel):
     measures: list[dict[str, Any]]
 

@@ -5,15 +5,15 @@ from typing import Annotated
 from pydantic import BaseModel, Field
 
 from vfcore.errors import ParameterError
-from vfcore.runs.sweep.paths import check_value
-from vfcore.spec.document import numeric_paths, with_numbers
+from vfcore.spec.paths import NUMBERS, value_for
+from vfcore.spec.request import patched
 from vfcore.spec.simulation import Simulation
 from vocalis.server.schemas.requests import STRICT, PostureBody, simulation_of
 
 #: A posture and its shape take about 1 ms: this many hold up no other call by more than a frame or two.
 MOST_VALUES = 32
 
-PATHS = [path for path in numeric_paths() if not path.startswith("run.")]
+PATHS = [path for path in NUMBERS if not path.startswith("run.")]
 Path = Annotated[str, Field(json_schema_extra={"enum": PATHS})]
 
 
@@ -34,6 +34,6 @@ def requests_of(body: NeighboursBody) -> list[Simulation]:
         if path not in PATHS:
             raise ParameterError("parameter", f"{path!r} is no number of a posture", "one listed by GET /parameters")
     return [
-        with_numbers(base, {path: check_value(path, value, f"values.{k}") for path in paths})
+        patched(base, {path: value_for(path, value, f"values.{k}") for path in paths})
         for k, value in enumerate(body.values)
     ]

@@ -1,10 +1,9 @@
 """The request body at the wire: pydantic models made from the rows of ``vfcore.spec.schema``.
 
 Unit, range, label and help are declared once, in the core; here they become JSON Schema. The last word has
-vfcore.spec.document, which sees what a schema cannot say (a step too long for a grid, say).
+vfcore.spec.request, which sees what a schema cannot say (a step too long for a grid, say).
 """
 
-from itertools import groupby
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema, create_model, model_validator
@@ -12,7 +11,8 @@ from pydantic_core import PydanticCustomError
 
 from vfcore.runs.gesture.gesture import MOVABLE, Gesture, gesture_from_dict
 from vfcore.runs.gesture.track import LATEST_S, MOST_BREAKPOINTS
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.paths import LARYNX, NAMES_IN, OPTIONAL_PARTS
+from vfcore.spec.request import resolve
 from vfcore.spec.schema import parameter_schema
 from vfcore.spec.simulation import Simulation
 
@@ -24,12 +24,12 @@ ROWS: dict[str, dict[str, Any]] = {row["key"]: row for row in parameter_schema()
 
 def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
     """The (type, default) pair of ``create_model`` for one parameter; ``moving``: breakpoints may stand for it."""
-    by_set = "default_by_posture_set" in row
+    by_larynx = row["key"].startswith(f"{LARYNX}.")
 
     def extra(schema: dict[str, Any]) -> None:
         if row["unit"] is not None:
             schema["unit"] = row["unit"]
-        if by_set:  # not given: the value of the posture set in force, so there is no one default to show
+        if by_larynx:  # not given: the value of the variant and posture set in force, so no one default can be shown
             schema.pop("default", None)
 
     text = " — ".join(text for text in (row["help"], row["source"]) if text)
@@ -48,7 +48,7 @@ def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
         kind = Annotated[Any, WithJsonSchema({"anyOf": [_one(row), _breakpoints(row)]})]  # the core validates it
     if row["nullable"]:
         kind = kind | None
-    return Annotated[kind, *about], None if by_set else row["default"]
+    return Annotated[kind, *about], None if by_larynx else row["default"]
 
 
 def _one(row: dict[str, Any]) -> dict[str, Any]:
@@ -71,9 +71,8 @@ def _whole(value: Any) -> Any:
 def _parts(suffix: str = "Body", moving: bool = False) -> tuple[dict[str, Any], dict[str, type[BaseModel]]]:
     """Fields at the top of a request, and one model per object in it."""
     top, objects = {}, {}
-    split = sorted((key.rpartition(".")[::2] for key in ROWS), key=lambda pair: pair[0])
-    for part, pairs in groupby(split, key=lambda pair: pair[0]):
-        fields = {name: _field(ROWS[f"{part}.{name}" if part else name], moving) for _, name in pairs}
+    for part, names in NAMES_IN.items():
+        fields = {name: _field(ROWS[f"{part}.{name}" if part else name], moving) for name in names}
         if part:
             objects[part] = create_model(f"{part.capitalize()}{suffix}", __config__=STRICT, **fields)
         else:
@@ -95,13 +94,11 @@ class _Kind(BaseModel):
 
 
 _TOP, _OBJECTS = _parts()
-#: Parts that may be null: a posture that is not given is solved from the muscles.
-MAY_BE_NULL = frozenset({"posture"})
 
 
 def _part_fields(objects: dict[str, type[BaseModel]]) -> dict[str, tuple[Any, Any]]:
     return {
-        name: (model | None, None) if name in MAY_BE_NULL else (model, Field(default_factory=model))
+        name: (model | None, None) if name in OPTIONAL_PARTS else (model, Field(default_factory=model))
         for name, model in objects.items()
     }
 
@@ -137,7 +134,7 @@ def gesture_of(body: BaseModel) -> Gesture:
 
 def simulation_of(body: BaseModel) -> Simulation:
     """The validated request; ParameterError for what the schema could not see."""
-    return simulation_from_dict(body.model_dump(exclude_unset=True, exclude={"fresh"}))
+    return resolve(body.model_dump(exclude_unset=True, exclude={"fresh"}))
 
 
 def allowed_at(path: str) -> str | None:

@@ -10,10 +10,10 @@ from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.many import PRECISIONS, SINGLE_PRECISION
 from vfcore.runs.sweep.document import MOST_AXES, sweep_from_dict
 from vfcore.runs.sweep.plan import Sweep
-from vfcore.spec.document import numeric_paths
+from vfcore.spec.paths import NUMBERS
 from vocalis.server.schemas.requests import STRICT, SimulationBody
 
-Path = Annotated[str, Field(json_schema_extra={"enum": list(numeric_paths())})]
+Path = Annotated[str, Field(json_schema_extra={"enum": list(NUMBERS)})]
 
 
 class AxisBody(BaseModel):

@@ -1,6 +1,6 @@
 """A voice that is played, and what left for the loudspeaker meanwhile.
 
-A worklet beside the loudspeaker keeps every sample (TAPE); the page's own files stay as they are.
+A worklet next to the loudspeaker records every sample (TAPE); the page's own files are unchanged.
 """
 
 import base64
@@ -11,7 +11,7 @@ import numpy as np
 
 RATE = 48000
 QUANTUM = 128
-#: Puts a tape beside the loudspeaker.
+#: Connects a tape wherever the loudspeaker is connected.
 TAPE = """
 const WORKLET = `registerProcessor("tape", class extends AudioWorkletProcessor {
   process([[channel]]) {
@@ -40,12 +40,12 @@ READ = """() => {
   const { frames, samples } = window.tapes.at(-1);
   const all = new Float32Array(samples.length * 128);
   samples.forEach((block, k) => all.set(block, 128 * k));
-  const octets = new Uint8Array(all.buffer);
+  const bytes = new Uint8Array(all.buffer);
   let text = "";
-  for (let k = 0; k < octets.length; k += 32768) text += String.fromCharCode(...octets.subarray(k, k + 32768));
+  for (let k = 0; k < bytes.length; k += 32768) text += String.fromCharCode(...bytes.subarray(k, k + 32768));
   return { frames, text: btoa(text) };
 }"""
-BUFFER = "async () => (await import('/state/play.js')).buffer.value"
+BUFFER = "async () => (await import('/state/played-voice.js')).buffer.value"
 
 
 class Watch:

@@ -44,8 +44,8 @@ def test_axe_finds_nothing_on_a_desk(visit, scheme):
     assert findings(here, colours) == []
     here.page.keyboard.press("Escape")
     for further, title in (("Report to print", "Report"), ("As Python or curl", "This voice as code")):
-        here.page.get_by_role("button", name="Keep").click()
-        here.page.get_by_role("dialog", name="Keep and share").wait_for()
+        here.page.get_by_role("button", name="Export").click()
+        here.page.get_by_role("dialog", name="Export and share").wait_for()
         assert findings(here, colours) == []
         here.page.get_by_role("button", name=further).click()
         here.page.get_by_role("dialog", name=title).wait_for()

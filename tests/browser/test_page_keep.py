@@ -1,4 +1,4 @@
-"""What leaves the page by the hand of its user: report, figures, tables, code."""
+"""What the user takes out of the page: report, figures, tables, code."""
 
 import csv
 import io
@@ -14,7 +14,7 @@ from tests.browser.conftest import DESK, PHONE, ROOT
 
 
 def keep(here):
-    here.page.get_by_role("button", name="Keep").first.click()
+    here.page.get_by_role("button", name="Export").first.click()
     return here.page.get_by_role("dialog")
 
 

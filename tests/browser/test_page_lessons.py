@@ -8,14 +8,14 @@ import pytest
 
 from tests.browser.conftest import DESK, PHONE
 
-LESSONS = Path(__file__).parents[2] / "frontend" / "lessons"
+LESSONS = Path(__file__).parents[2] / "frontend" / "features" / "lessons"
 INDEX = json.loads((LESSONS / "index.json").read_text(encoding="utf-8"))
 STATES = {"periodic": "Periodic phonation", "none": "No sustained vibration"}
 #: On a phone the tab a panel stands under.
 TAB = {"measures": "numbers", "waves": "waves", "voice": "waves", "folds": "waves"}
 #: Walks a lesson of `steps` steps by its own button: what each shows; if `answered`, once its voice has answered.
 WALK = """async ([key, steps, answered]) => {
-  const { changedValues } = await import("/params.js");
+  const { changedValues } = await import("/core/parameters.js");
   const { schema, values } = await import("/state/request.js");
   const all = (selector) => [...document.querySelectorAll(selector)];
   const until = async (holds) => { while (!holds()) await new Promise(requestAnimationFrame); };

@@ -1,4 +1,4 @@
-"""The page follows the hand: every picture, every number, at once."""
+"""The page follows the user: every picture, every number, at once."""
 
 import re
 
@@ -46,7 +46,7 @@ def test_the_shapes_beside_the_hand_are_there_before_it_moves(visit):
         assert here.page.locator(".posture-line dd").first.inner_text() == strain
     assert "postures" in asked and "posture" not in asked
     here.set("activation.ta", 1)
-    assert "posture" in asked, "farther than it looks ahead, the hand asks"
+    assert "posture" in asked, "beyond the prefetched values the page asks"
 
 
 def test_the_address_is_the_voice(visit):

@@ -8,7 +8,7 @@ from tests.browser.conftest import DESK, PHONE
 from tests.browser.test_page_access import findings
 
 SHOWN = "document.querySelector('[data-plot=map]').data[0].z.flat()"
-#: Where a point of the map stands on the page.
+#: Where a point of the map is on the page.
 PLACE_OF = """([right, up]) => {
   const plot = document.querySelector("[data-plot=map]");
   const { xaxis, yaxis } = plot._fullLayout;
@@ -17,7 +17,7 @@ PLACE_OF = """([right, up]) => {
 }"""
 #: The pitches behind the pad, once half of the map has come.
 PAD_PITCHES = """async () => {
-  const { padMap } = await import("/play/pad-map.js");
+  const { padMap } = await import("/features/play/pad-map.js");
   const many = () => padMap.value?.fo.filter((pitch) => pitch !== null).length > 60;
   while (!many()) await new Promise((resolve) => setTimeout(resolve, 50));
   return padMap.value.fo;
@@ -83,7 +83,7 @@ def test_the_map_follows_is_compared_and_kept_as_a_table(visit):
     here = open_map(visit)
     make(here)
     before = here.page.evaluate(SHOWN)
-    here.page.get_by_role("button", name="Keep as A").click()
+    here.page.get_by_role("button", name="Hold as A").click()
     here.page.get_by_label("Follow the other sliders").check()
     here.set("subglottal_pressure_pa", 1300)
     here.page.wait_for_function(f"before => JSON.stringify({SHOWN}) !== JSON.stringify(before)", arg=before)
@@ -100,7 +100,7 @@ def test_the_map_follows_is_compared_and_kept_as_a_table(visit):
     rows = [line for line in download.value.path().read_text().splitlines() if line and not line.startswith("#")]
     assert len(rows) == 10
     assert "fo_hz" in rows[0]
-    here.page.get_by_role("button", name="Keep", exact=True).click()
+    here.page.get_by_role("button", name="Export", exact=True).click()
     figure = here.page.locator("[data-figure=map]")
     with here.page.expect_download() as download:
         figure.get_by_role("button", name="SVG").click()
@@ -117,7 +117,7 @@ def test_a_long_map_can_be_stopped(visit):
     here.page.get_by_role("button", name="Make the map").click()
     here.page.wait_for_function("() => document.querySelector('.map-run progress')?.value > 0")
     here.page.get_by_role("button", name="Cancel").click()
-    here.page.get_by_role("button", name="Make it anew").wait_for()
+    here.page.get_by_role("button", name="Make it again").wait_for()
     here.page.wait_for_function("() => document.querySelector('[data-plot=map] .main-svg')")
     assert here.page.evaluate(f"{SHOWN}.some((value) => value === null)")
     newest = here.api("jobs?limit=1")["jobs"][0]

@@ -6,9 +6,9 @@ import numpy as np
 
 #: What the stage would draw at some stored phases, and the area of the wave at that sample and the ones beside it.
 OUTLINES = """async () => {
-  const { result } = await import("/state/outcome.js");
-  const { foldEdges } = await import("/plots/glottis.js");
-  const { fieldAt } = await import("/result.js");
+  const { result } = await import("/state/answers.js");
+  const { foldEdges } = await import("/core/glottis.js");
+  const { fieldAt } = await import("/core/result.js");
   const { fields, cycle, waves, rate } = result.value;
   return [10, 30, 45, 60, 90].map((k) => {
     const instant = cycle.startS + (k / fields.phases) * cycle.periodS;

@@ -1,4 +1,4 @@
-"""The Paper section: every figure is there on desk and phone, opens its case, and can be made anew."""
+"""The Paper section: every figure is there on desk and phone, opens its case, and can be computed again."""
 
 import re
 
@@ -17,7 +17,7 @@ PLOTS = {
     "maps": ("fo_hz", "mean_flow_ml_s", "spl_lips_db", "speed_quotient", "closed_quotient"),
     "pca": ("contact_pressure_max_pa", "contact_location"),
 }
-#: Where a point of the pitch map stands on the page.
+#: Where a point of the pitch map is on the page.
 PLACE_OF = """([ta, ct]) => {
   const plot = document.querySelector("[data-plot=fo_hz]");
   const { xaxis, yaxis } = plot._fullLayout;
@@ -112,7 +112,7 @@ def test_the_cases_of_a_figure_open_without_a_pointer(visit):
     assert here.slider("activation.pca").input_value() == "0.8"
 
 
-def test_a_figure_is_made_anew_and_the_shipped_one_comes_back(visit):
+def test_a_figure_is_computed_again_and_the_shipped_one_comes_back(visit):
     here = open_section(visit, "static")
     canvas = here.page.locator("canvas[data-picture=paper-static_ct]")
     before, box = len(here.picture("paper-static_ct")), canvas.bounding_box()

@@ -6,7 +6,7 @@ from json import dumps
 import numpy as np
 import pytest
 
-AXIS = "const axis = await import('/plots/axis.js');"
+AXIS = "const axis = await import('/core/axis.js');"
 
 
 def test_ticks_are_round_and_inside(modules):
@@ -36,7 +36,7 @@ def test_numbers_are_written_as_people_write_them(modules):
 
 def test_a_request_holds_only_what_differs(modules):
     run = """async ([document, values]) => {
-      const params = await import("/params.js");
+      const params = await import("/core/parameters.js");
       const schema = params.readSchema(document);
       const all = { ...params.defaultValues(schema), ...values };
       return {
@@ -78,12 +78,12 @@ def test_a_request_holds_only_what_differs(modules):
     assert modules(run, [document, {"vowel": "i"}])["preset"] == "modal"
 
 
-def test_a_lane_has_one_request_in_flight_and_the_newest_wins(modules):
+def test_one_request_is_in_flight_and_the_newest_wins(modules):
     run = """async () => {
-      const { Lane } = await import("/lane.js");
+      const { LatestOnly } = await import("/core/latest-only.js");
       const pending = [], log = [];
       let flying = 0, most = 0;
-      const lane = new Lane(
+      const requests = new LatestOnly(
         (job) => {
           most = Math.max(most, ++flying);
           return new Promise((done, failed) => pending.push({ job, done, failed }));
@@ -92,9 +92,9 @@ def test_a_lane_has_one_request_in_flight_and_the_newest_wins(modules):
         (error) => { flying--; log.push(error); },
       );
       const tick = () => new Promise((done) => setTimeout(done));
-      for (const job of [1, 2, 3, 4]) lane.push(job);
+      for (const job of [1, 2, 3, 4]) requests.push(job);
       pending[0].done("one"); await tick();
-      lane.push(5); lane.push(6);
+      requests.push(5); requests.push(6);
       pending[1].failed("four failed"); await tick();
       pending[2].done("six"); await tick();
       return { asked: pending.map(({ job }) => job), log, most };
@@ -102,7 +102,7 @@ def test_a_lane_has_one_request_in_flight_and_the_newest_wins(modules):
     assert modules(run) == {"asked": [1, 4, 6], "log": ["one", "four failed", "six"], "most": 1}
 
 
-def test_a_reply_in_octets_is_read_as_it_was_written(modules):
+def test_a_reply_in_bytes_is_read_as_it_was_written(modules):
     values = {"flow": np.arange(6, dtype="<f4").reshape(2, 3), "area": np.array([0.5, -1], dtype="<f4")}
     table, offset = {}, 0
     for name, array in values.items():
@@ -110,19 +110,19 @@ def test_a_reply_in_octets_is_read_as_it_was_written(modules):
         offset += array.nbytes
     header = dumps({"id": "ü", "arrays": table}).encode()
     header += b" " * (-len(header) % 4)
-    octets = struct.pack("<I", len(header)) + header + b"".join(array.tobytes() for array in values.values())
-    run = """async (octets) => {
-      const { decodeResult } = await import("/octets.js");
-      const { header, arrays } = decodeResult(new Uint8Array(octets).buffer);
+    reply = struct.pack("<I", len(header)) + header + b"".join(array.tobytes() for array in values.values())
+    run = """async (reply) => {
+      const { decodeResult } = await import("/core/api.js");
+      const { header, arrays } = decodeResult(new Uint8Array(reply).buffer);
       return [header.id, arrays.flow.shape, Array.from(arrays.flow.data), Array.from(arrays.area.data)];
     }"""
-    assert modules(run, list(octets)) == ["ü", [2, 3], [0, 1, 2, 3, 4, 5], [0.5, -1]]
+    assert modules(run, list(reply)) == ["ü", [2, 3], [0, 1, 2, 3, 4, 5], [0.5, -1]]
 
 
 def test_the_outline_is_the_distance_from_the_midline(modules):
     """A wedge of 16 mm by 4 mm half width, pressed over the midline inferiorly in one slice, superiorly in another."""
     run = """async ([x, medial, w]) => {
-      const glottis = await import("/plots/glottis.js");
+      const glottis = await import("/core/glottis.js");
       const fields = { nx: x.length, ny: 2, x, medial };
       return glottis.foldEdges(fields, w);
     }"""
@@ -141,7 +141,7 @@ def test_the_outline_is_the_distance_from_the_midline(modules):
 def test_the_flow_derivative_is_the_one_of_mfdr(modules):
     """A sine through the same Gaussian: slope ω, less what a low-pass with −3 dB at 3 kHz takes from it."""
     run = """async ([wave, rate]) => {
-      const { slope } = await import("/plots/waves.js");
+      const { slope } = await import("/features/waves/stack.js");
       return Array.from(slope(new Float32Array(wave), 500, 1500, rate));
     }"""
     rate = 35000
@@ -155,7 +155,7 @@ def test_the_flow_derivative_is_the_one_of_mfdr(modules):
 
 @pytest.mark.parametrize("theme, grows", [("light", -1), ("dark", 1)])
 def test_colour_maps_run_evenly_in_lightness(modules, theme, grows):
-    run = "async ([name, theme]) => Array.from((await import('/plots/colours.js')).colourTable(name, theme))"
+    run = "async ([name, theme]) => Array.from((await import('/core/colours.js')).colourTable(name, theme))"
 
     def luminance(name):
         rgb = np.array(modules(run, [name, theme])).reshape(256, 3) / 255
@@ -168,14 +168,14 @@ def test_colour_maps_run_evenly_in_lightness(modules, theme, grows):
 
 
 def test_advice_fits_the_cause(modules):
-    run = "async ([values, gap]) => (await import('/texts.js')).hintFor(values, gap)"
+    run = "async ([values, gap]) => (await import('/features/measures/texts.js')).hintFor(values, gap)"
 
     def advice(gap_mm, pressure=1000, **activation):
         muscles = {f"activation.{name}": 0.0 for name in ("ta", "ct", "lca", "ia", "pca")}
         muscles |= {f"activation.{name}": value for name, value in activation.items()}
         return modules(run, [muscles | {"subglottal_pressure_pa": pressure}, gap_mm])
 
-    assert advice(9.9, pca=1, lca=0.8, ia=0.8) == "The vocal processes stand 9.9 mm apart. Try less PCA."
+    assert advice(9.9, pca=1, lca=0.8, ia=0.8) == "The vocal processes are 9.9 mm apart. Try less PCA."
     assert "more LCA and IA" in advice(5, lca=0.2, ia=0.9)
     assert advice(0, pressure=200, lca=1, ia=1) == "Try more lung pressure."
     assert "TA" in advice(0, ta=0.9, lca=1, ia=1)
@@ -183,8 +183,8 @@ def test_advice_fits_the_cause(modules):
 
 def test_the_address_gives_back_what_was_put_in(modules):
     run = """async () => {
-      const { readSchema, defaultValues } = await import("/params.js");
-      const { linkOf, readQuery, writeQuery } = await import("/url.js");
+      const { readSchema, defaultValues } = await import("/core/parameters.js");
+      const { linkOf, readQuery, writeQuery } = await import("/features/page/url.js");
       const common = { label: "", symbol: "", step: 0.01, group: "" };
       const schema = readSchema({
         parameters: [

@@ -88,7 +88,7 @@ def test_a_strangers_path_takes_less_than_a_minute_and_no_manual(visit, viewport
     here.page.get_by_role("button", name="Hear B").click()
     here.page.get_by_role("button", name="Hear B").wait_for(state="detached")
 
-    here.page.get_by_role("button", name="Keep").first.click()
+    here.page.get_by_role("button", name="Export").first.click()
     here.page.get_by_role("button", name="Report to print").click()
     report = here.page.locator("article.report")
     assert gap.locator(".change").inner_text() in report.inner_text(), "the comparison is on the report"

@@ -1,4 +1,4 @@
-"""The played voice as it is heard: every sample that leaves for the loudspeaker is read back while a hand plays."""
+"""The played voice as it is heard: every sample that leaves for the loudspeaker is read back while controls move."""
 
 import numpy as np
 import pytest

@@ -115,9 +115,9 @@ def test_the_sound_can_be_kept_as_a_file(visit):
 
 
 OFFLINE = """async ([first, second, rate]) => {
-  const { Voice } = await import("/audio/voice.js");
+  const { LoopPlayer } = await import("/features/sound/loop-player.js");
   const context = new OfflineAudioContext(1, rate, rate);
-  const voice = new Voice(context);
+  const voice = new LoopPlayer(context);
   voice.play(new Float32Array(first));
   context.suspend(0.5).then(() => { voice.play(new Float32Array(second)); context.resume(); });
   return Array.from((await context.startRendering()).getChannelData(0));
@@ -144,7 +144,7 @@ def test_a_voice_that_is_far_too_loud_is_held_below_full_scale(modules):
 
 
 LOOP = """async ([wave, rate, period, periodic, out]) => {
-  const { makeLoop } = await import("/audio/loop.js");
+  const { makeLoop } = await import("/features/sound/loop.js");
   return Array.from(makeLoop(new Float32Array(wave), rate, { periodS: period, periodic }, out));
 }"""
 
@@ -170,7 +170,7 @@ def test_a_loop_of_whole_periods_repeats_without_a_seam(modules, rate, out):
 
 STREAM = """async ([pieces, rate]) => {
   const context = new OfflineAudioContext(1, rate, rate);
-  await context.audioWorklet.addModule("/audio/stream-worklet.js");
+  await context.audioWorklet.addModule("/features/play/stream-worklet.js");
   const node = new AudioWorkletNode(context, "vocalis-stream", { numberOfInputs: 0, outputChannelCount: [1] });
   const { port1, port2 } = new MessageChannel();
   const reports = [];

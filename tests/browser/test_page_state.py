@@ -4,11 +4,11 @@ from tests.browser.visit import FRAMES, Visit
 
 #: Every figure on the page as its painter draws it now, from the state alone: {name: SVG}.
 FIGURES = """async () => {
-  const { figures, svgOf } = await import("/plots/figures.js");
+  const { figures, svgOf } = await import("/core/export.js");
   return Object.fromEntries(figures.value.filter((f) => f.paint).map((figure) => [figure.name, svgOf(figure, "#fff")]));
 }"""
 COUNTS = """async () => {
-  const { figures } = await import("/plots/figures.js");
+  const { figures } = await import("/core/export.js");
   return [figures.value.length, document.querySelectorAll("*").length];
 }"""
 MOVE = "e => { e.value = 0.7; e.dispatchEvent(new Event('input', { bubbles: true })); }"

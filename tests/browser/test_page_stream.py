@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-WORKLET = Path(__file__).parents[2] / "frontend/audio/stream-worklet.js"
+WORKLET = Path(__file__).parents[2] / "frontend/features/play/stream-worklet.js"
 #: The worklet's own code, played for as long as ``story`` says without a loudspeaker, so much sound being there that
 #: what is wanted and a block more waits, but for one dip a part. Answers what was wanted at the end of each, and gaps.
 PLAY = """story => {

@@ -54,7 +54,7 @@ def test_a_shared_link_survives_the_way_in_and_the_page_says_what_needs_tls(else
     here.page.get_by_role("button", name="Copy as table").click()
     here.page.get_by_text("Copied: paste it").wait_for()
     assert pasted(here).startswith("Measure\tSymbol\tValue")
-    here.page.get_by_role("button", name="Keep").click()
+    here.page.get_by_role("button", name="Export").click()
     here.page.get_by_role("button", name="As Python or curl").click()
     here.page.get_by_role("button", name="Copy", exact=True).first.click()
     here.page.get_by_text("Copied.").wait_for()

@@ -7,7 +7,7 @@ import pytest
 
 from tests.browser.conftest import DESK, MOVING, PHONE
 
-LESSONS = Path(__file__).parents[2] / "frontend" / "lessons"
+LESSONS = Path(__file__).parents[2] / "frontend" / "features" / "lessons"
 
 
 def show(here, panel: str) -> None:
@@ -53,7 +53,7 @@ def test_heavy_pictures_wait_for_the_hand_to_rest(visit):
         }""",
         before,
     )
-    assert not moved, "nothing heavy is painted under a moving hand"
+    assert not moved, "nothing heavy is painted during a drag"
     here.painted()
     assert here.picture("spectrum") != before
 

@@ -19,14 +19,14 @@ INK = """name => {
 }"""
 #: Once the heavy pictures have taken up the newest voice, the view of the open tab has been fetched, and every canvas
 #: on the page has been given the size of its box, which happens in the frame that paints it first.
-RESTED = """async () => {
-  const [{ rested }, { result }] = await Promise.all([import("/state/rested.js"), import("/state/outcome.js")]);
+PAINTED = """async () => {
+  const [{ settled }, { result }] = await Promise.all([import("/state/settled.js"), import("/state/answers.js")]);
   const frame = () => new Promise(requestAnimationFrame);
   const ratio = Math.min(devicePixelRatio, 3);
   const fits = (canvas) => canvas.clientWidth < 2 || Math.abs(canvas.width - ratio * canvas.clientWidth) <= ratio;
   const painted = () => [...document.querySelectorAll("canvas.picture")].every(fits);
   const fetched = () => document.querySelector("[role=tabpanel] > *");
-  while (rested.value !== result.value || !fetched() || !painted()) await frame();
+  while (settled.value !== result.value || !fetched() || !painted()) await frame();
 }"""
 FRAMES = "n => new Promise(done => { const f = () => (n-- > 0 ? requestAnimationFrame(f) : done()); f(); })"
 
@@ -65,9 +65,9 @@ class Visit:
         self.page.evaluate(FRAMES, 3)
 
     def painted(self) -> None:
-        """Wait until what costs more than a frame is painted too: it follows once the hand rests."""
+        """Wait until the slower pictures are painted too: they follow once the controls rest."""
         self.settle()
-        self.page.evaluate(RESTED)
+        self.page.evaluate(PAINTED)
         self.page.evaluate(FRAMES, 3)
 
     def hold_still(self, phase: int = 300) -> None:

@@ -5,8 +5,8 @@ import json
 
 import pytest
 
-from vfcore.spec.document import simulation_from_dict
 from vfcore.spec.presets import PRESETS
+from vfcore.spec.request import resolve
 from vfcore.spec.schema import parameter_schema
 from vfcore.spec.simulation import Simulation
 from vocalis.cli.main import main
@@ -59,7 +59,7 @@ def test_every_option_sets_its_own_field(request_of):
 
 @pytest.mark.parametrize("preset", PRESETS, ids=lambda preset: preset.key)
 def test_a_preset_is_its_request(request_of, preset):
-    assert request_of("--preset", preset.key) == simulation_from_dict(preset.request)
+    assert request_of("--preset", preset.key) == resolve(preset.request)
 
 
 def test_a_file_and_standard_input_are_the_same(request_of, tmp_path, monkeypatch):

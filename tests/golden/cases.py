@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 import vfcore
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 
 STORED = Path(__file__).with_name("results.json")
 #: Results of one machine and another differ by rounding only; a periodic voice does not amplify it.
@@ -47,7 +47,7 @@ MEASURES = (
 
 def results_of(document: dict) -> dict:
     """State, closure and numbers (None where a measure is missing) of one request document."""
-    result = vfcore.simulate(simulation_from_dict({"kind": "simulation"} | document))
+    result = vfcore.simulate(resolve({"kind": "simulation"} | document))
     numbers = {key: result.report.measures[key].value for key in MEASURES}
     numbers |= {
         "strain": result.posture.strain,

@@ -13,7 +13,7 @@ from vfcore.fold.assemble import beam, membrane, with_constants
 from vfcore.fold.march import March
 from vfcore.kernels.layout import RECORD
 from vfcore.runs.one import simulate
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S, SECTION_TRAVEL_S
 
 RHO, C, P_S = 1.14, 350.0, 800.0
@@ -90,12 +90,10 @@ def test_in_wide_airways_the_voice_becomes_that_of_one_way_coupling():
 def test_a_finer_step_gives_the_same_voice_and_half_the_step_is_four_times_as_near_to_it():
     document = {"subglottal_pressure_pa": 600, "model": {"variant": "human", "coupling": "two_way"}}
     usual, half, finest = (
-        simulate(
-            simulation_from_dict(document | {"run": {"duration_s": 0.5, "time_step_s": sections * SECTION_TRAVEL_S}})
-        ).report
+        simulate(resolve(document | {"run": {"duration_s": 0.5, "time_step_s": sections * SECTION_TRAVEL_S}})).report
         for sections in (4, 2, 1)  # all with the same tract; the product's own step is five sections
     )
-    own = simulate(simulation_from_dict(document | {"run": {"duration_s": 0.5}})).report
+    own = simulate(resolve(document | {"run": {"duration_s": 0.5}})).report
     assert usual.state == half.state == finest.state == own.state == "periodic"
     for key, most in {"fo_hz": 0.003, "mean_flow_ml_s": 0.02, "ac_flow_ml_s": 0.02, "peak_area_mm2": 0.015}.items():
         fine = finest.measures[key].value
@@ -105,9 +103,7 @@ def test_a_finer_step_gives_the_same_voice_and_half_the_step_is_four_times_as_ne
 
 def test_fields_of_a_cycle_lie_between_the_pressures_around_the_glottis():
     """Air pressure on the folds is that of the inlet upstream and that of the outlet behind the separation."""
-    result = simulate(
-        simulation_from_dict({"subglottal_pressure_pa": 600, "model": {"variant": "human", "coupling": "two_way"}})
-    )
+    result = simulate(resolve({"subglottal_pressure_pa": 600, "model": {"variant": "human", "coupling": "two_way"}}))
     at, time = result.arrays["cycle_time_s"], result.arrays["time_s"]
     inlet, outlet = (np.interp(at, time, result.arrays[f"{end}_pressure_pa"]) for end in ("inlet", "outlet"))
     field = result.arrays["cycle_aerodynamic_pressure_pa"]

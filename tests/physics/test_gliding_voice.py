@@ -13,7 +13,7 @@ from vfcore.io.audio import AUDIO_RATE_HZ
 from vfcore.io.audio import render as resampled
 from vfcore.runs.gesture.gesture import gesture_from_dict
 from vfcore.runs.gesture.render import RATE_HZ, render
-from vfcore.runs.gesture.slew import approach
+from vfcore.runs.gesture.slew import slew_limited
 from vfcore.runs.gesture.voice import BLOCK_S, BLOCK_STEPS, Voice
 
 
@@ -95,7 +95,7 @@ def test_a_hand_that_jumps_makes_no_click():
         for k in range(30 + blocks_of_motion + 30):
             share = min(1.0, max(0.0, (k - 29) / blocks_of_motion))
             goal = vfcore.Simulation(activation=vfcore.Activation(ct=0.1 + 0.8 * share))
-            sound.append(voice.advance(approach(voice.request, goal, ("activation.ct",))).audio_pa)
+            sound.append(voice.advance(slew_limited(voice.request, goal, ("activation.ct",))).audio_pa)
         assert voice.request.activation.ct == pytest.approx(0.9)
         return float(np.abs(np.diff(np.concatenate(sound[15:]))).max())
 

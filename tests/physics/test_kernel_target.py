@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-import vfcore
 from vfcore.errors import ParameterError
 from vfcore.fold import assemble
 from vfcore.fold.march import March
@@ -13,6 +12,7 @@ from vfcore.kernels.layout import SCALARS, Layout
 from vfcore.kernels.reassemble import target_kernel
 from vfcore.runs.gesture.glide import GlidingFold, Goal, packed
 from vfcore.runs.one import prepare
+from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Model, PostureOverride, Run, Simulation
 
 pytestmark = pytest.mark.kernel
@@ -25,7 +25,7 @@ def filled(request: Simulation) -> tuple[np.ndarray, np.ndarray, float]:
     buffer = assemble.new_buffer(at_first.fold, DEFAULT_STEP_S)
     scalars, work = np.empty(len(SCALARS)), np.empty(3 * request.run.nx)
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
-    inferior_stiff = request.model.resolved().coupling_gradient == "inferior_stiff"
+    inferior_stiff = request.model.coupling_gradient == "inferior_stiff"
     longest_s = target_kernel(request.run.nx, request.run.ny, ready.fold.rotation)(
         ready.posture.strain, request.activation.ta, ready.posture.glottal_half_angle_rad, rest_angle,
         request.convergence_angle_rad, inferior_stiff, DEFAULT_STEP_S, packed(request.constants),
@@ -42,7 +42,9 @@ def filled(request: Simulation) -> tuple[np.ndarray, np.ndarray, float]:
         Simulation(run=START.run, model=Model(variant="text_literal")),
         Simulation(run=START.run, model=Model(shear="rotation", coupling_gradient="superior_stiff")),
         Simulation(run=START.run, posture=PostureOverride(0.1, 0.05, 0.2), convergence_angle_rad=0.1),
-        Simulation(run=START.run, constants=vfcore.FoldConstants(L_0_m=0.01, K_r_a_n_m=0.5, K_coup_min_pa_m=6e5)),
+        Simulation(
+            run=START.run, larynx=PAPER_LARYNX.override({"L_0_m": 0.01, "K_r_a_n_m": 0.5, "K_coup_min_pa_m": 6e5})
+        ),
     ],
 )
 def test_the_numbers_are_those_of_the_assembled_fold(request_):
@@ -83,10 +85,10 @@ def test_a_goal_that_means_nothing_is_refused_and_the_fold_goes_on():
     march = March(ready.fold, DEFAULT_STEP_S, 800.0)
     march.start_flat()
     gliding = GlidingFold(march, Goal(START, ready.posture))
-    slack = vfcore.FoldConstants(sigma_1_muc_pa=0.0, sigma_2_muc_pa=0.0)
+    slack = PAPER_LARYNX.override({"sigma_1_muc_pa": 0.0, "sigma_2_muc_pa": 0.0})
     with pytest.raises(ParameterError, match="no stiffness left"):
-        gliding.advance(Goal(Simulation(run=START.run, constants=slack), ready.posture), 800.0, 45)
-    stiff = vfcore.FoldConstants(C_col_pa_s_m=1e5)
+        gliding.advance(Goal(Simulation(run=START.run, larynx=slack), ready.posture), 800.0, 45)
+    stiff = PAPER_LARYNX.override({"C_col_pa_s_m": 1e5})
     with pytest.raises(ParameterError, match="need a shorter step"):
-        gliding.advance(Goal(Simulation(run=START.run, constants=stiff), ready.posture), 800.0, 45)
+        gliding.advance(Goal(Simulation(run=START.run, larynx=stiff), ready.posture), 800.0, 45)
     assert np.isfinite(gliding.advance(Goal(START, ready.posture), 900.0, 45)[:, :2]).all()

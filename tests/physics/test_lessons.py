@@ -10,9 +10,10 @@ import pytest
 from vfcore.airways.resonances import closed_glottis_formants
 from vfcore.airways.tract import vowel_tract
 from vfcore.runs.one import simulate
-from vfcore.spec.document import numeric_paths, simulation_from_dict
+from vfcore.spec.paths import NUMBERS
+from vfcore.spec.request import resolve
 
-LESSONS = Path(__file__).parents[2] / "frontend" / "lessons"
+LESSONS = Path(__file__).parents[2] / "frontend" / "features" / "lessons"
 PANELS = {"waves", "voice", "folds", "compare", "measures"}
 INDEX = json.loads((LESSONS / "index.json").read_text(encoding="utf-8"))
 
@@ -34,11 +35,11 @@ def outcome(key: str, step: int):
         for part in way:
             place = place.setdefault(part, {})
         place[leaf] = value
-    return simulate(simulation_from_dict(request))
+    return simulate(resolve(request))
 
 
 def test_the_index_lists_the_files_as_they_are():
-    assert {f"{row['key']}.json" for row in INDEX} | {"index.json"} == {path.name for path in LESSONS.iterdir()}
+    assert {f"{row['key']}.json" for row in INDEX} | {"index.json"} == {path.name for path in LESSONS.glob("*.json")}
     for row in INDEX:
         full = lesson(row["key"])
         assert row == {name: full[name] for name in ("key", "title", "about")} | {"steps": len(full["steps"])}
@@ -49,7 +50,7 @@ def test_the_index_lists_the_files_as_they_are():
 def test_a_step_says_what_to_see_and_the_model_shows_it(key, step):
     told = lesson(key)["steps"][step]
     assert told["say"] and told["see"] and told["look"]["panel"] in PANELS
-    assert set(told["set"]) <= {*numeric_paths(), "vowel"}
+    assert set(told["set"]) <= {*NUMBERS, "vowel"}
     assert told["expect"], "a step without a checked sentence teaches nothing"
     for wanted in told["expect"]:
         check(wanted, key, step)

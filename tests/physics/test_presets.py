@@ -5,8 +5,8 @@ from functools import cache
 import pytest
 
 from vfcore.runs.one import simulate
-from vfcore.spec.document import simulation_from_dict
 from vfcore.spec.presets import PRESETS
+from vfcore.spec.request import resolve
 
 KEYS = [preset.key for preset in PRESETS]
 
@@ -20,7 +20,7 @@ def run(key: str, variant: str = "paper"):
     """The preset on a variant with the source–tract coupling that it is meant with."""
     request = next(preset.request for preset in PRESETS if preset.key == key)
     model = {"variant": variant, "coupling": {"paper": "one_way", "human": "two_way"}[variant]}
-    return simulate(simulation_from_dict({"run": {"duration_s": 0.5}, "model": model} | request))
+    return simulate(resolve({"run": {"duration_s": 0.5}, "model": model} | request))
 
 
 def value(key: str, measure: str, variant: str = "paper") -> float:

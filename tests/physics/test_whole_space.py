@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ import vfcore
 from vfcore.errors import VocalisError
 from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M
 from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.posture_sets import POSTURE_SETS
 from vfcore.spec.simulation import (
     COUPLING_GRADIENTS,
@@ -127,7 +129,8 @@ def test_every_posture_given_directly(posture, ta, pressure, model, run):
 )  # fmt: skip
 @settings(max_examples=80, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 def test_every_constant_in_its_range(constants, activation, pressure, shear, run):
-    check(Simulation(activation, pressure, model=Model(shear=shear), constants=constants, run=run))
+    larynx = replace(PAPER_LARYNX, fold=constants)
+    check(Simulation(activation, pressure, model=Model(shear=shear), larynx=larynx, run=run))
 
 
 @pytest.mark.parametrize("pressure", [0.0, 2000.0])

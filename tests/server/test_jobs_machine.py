@@ -14,19 +14,18 @@ from tests.server.jobs_harness import JobSystem
 from vfcore.errors import ParameterError
 from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
 from vfcore.runs.sweep.row import Row, columns
-from vfcore.spec.address import canonical
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import document_of, resolve
 from vocalis.server.exceptions import NoSuchJob
 from vocalis.server.jobs.kinds.sweep import SWEEP
 from vocalis.server.jobs.kinds.sweep.work import SweepWork
 from vocalis.server.jobs.model import ACTIVE, TRANSITIONS, Status
 
-RUNS = [canonical(simulation_from_dict({"vowel": vowel, "run": {"duration_s": 0.02}})) for vowel in "ai"]
+RUNS = [document_of(resolve({"vowel": vowel, "run": {"duration_s": 0.02}})) for vowel in "ai"]
 SWEEPS = [
     sweep_to_dict(sweep_from_dict({"axes": [{"parameter": "activation.ct", "values": [k / 10 for k in values]}]}))
     for values in (range(3), range(1, 5))  # they share two points
 ]
-RESULT = vfcore.simulate(simulation_from_dict(RUNS[0]))
+RESULT = vfcore.simulate(resolve(RUNS[0]))
 PROBLEM = {"type": "urn:test", "title": "t", "status": 422, "detail": "d"}
 
 

@@ -13,7 +13,9 @@ from vfcore.airways.resonances import closed_glottis_formants
 from vfcore.airways.tract import vowel_tract
 from vfcore.runs.one import prepare
 from vfcore.runs.result import ARRAYS
-from vfcore.spec.document import numeric_paths, simulation_from_dict
+from vfcore.spec.address import address
+from vfcore.spec.paths import NUMBERS
+from vfcore.spec.request import document_of, resolve, values_of
 from vfcore.spec.variants import VARIANTS
 
 OCTETS = {"Accept": "application/octet-stream"}
@@ -32,7 +34,7 @@ def test_health_says_version_engine_and_that_kernels_are_ready(client):
 def test_parameters_lists_every_number_a_request_may_set(client):
     answer = client.get("/parameters").json()
     rows = {row["key"]: row for row in answer["parameters"]}
-    assert set(numeric_paths()) <= set(rows)
+    assert set(NUMBERS) <= set(rows)
     assert {"key", "label", "unit", "default", "min", "max", "step", "group", "help"} <= set(rows["activation.ta"])
     assert {"presets", "vowels", "variants"} <= set(answer)
     assert "modal" in [preset["key"] for preset in answer["presets"]]
@@ -53,7 +55,7 @@ def test_measures_is_the_catalogue(client):
 def test_posture_answers_what_the_core_finds(client):
     body = {"kind": "simulation", "activation": {"ct": 0.7}}
     answer = client.post("/posture", json=body).json()
-    ready = prepare(simulation_from_dict(body))
+    ready = prepare(resolve(body))
     assert set(answer) >= {"posture", "coefficients", "static_shape"}
     assert answer["posture"]["strain"] == ready.posture.strain
     assert answer["posture"]["converged"] is True
@@ -84,7 +86,7 @@ def test_a_posture_given_directly_skips_the_muscles(client):
 
 @pytest.fixture(scope="module")
 def python_result():
-    return vfcore.simulate(simulation_from_dict(SHORT))
+    return vfcore.simulate(resolve(SHORT))
 
 
 def test_simulate_answers_the_result_document_and_an_id(client, python_result):
@@ -160,7 +162,7 @@ def test_a_tract_is_the_one_that_is_heard(client):
         for vowel in ("a", "i"):
             answer = client.get(f"/tract/{vowel}", params={"variant": variant, "c_a_m_s": 340}).json()
             document = {"vowel": vowel, "model": {"variant": variant}, "constants": {"c_a_m_s": 340}}
-            heard = tract_of(simulation_from_dict(document))
+            heard = tract_of(resolve(document))
             assert (answer["section_length_m"], answer["areas_m2"]) == (heard.section_length_m, list(heard.areas_m2))
     man, woman = (
         client.get("/tract/a", params={"variant": v}).json()["formants"][0] for v in ("human", "human_female")
@@ -190,11 +192,23 @@ def test_what_is_served_is_in_the_words_of_the_request_that_was_made(client):
     assert by_constants["provenance"]["request"]["constants"] == spelled["constants"]
 
 
-@pytest.mark.parametrize("part", ["activation", "model", "run", "constants"])
-@pytest.mark.parametrize("path", ["/simulate", "/posture", "/jobs", "/gestures"])
+NULLS = [(path, part) for path in ("/simulate", "/posture", "/jobs", "/gestures") for part in ("activation", "model",
+         "constants")] + [(path, "run") for path in ("/simulate", "/jobs", "/gestures")]  # fmt: skip
+
+
+@pytest.mark.parametrize(("path", "part"), NULLS)
 def test_a_part_that_is_null_is_refused(client, path, part):
-    if (path, part) == ("/posture", "run"):
-        pytest.skip("a posture has no run")
     answer = client.post(path, json={part: None})
     assert answer.status_code == 422 and [error["path"] for error in answer.json()["errors"]] == [part]
     assert client.post("/posture", json={"posture": None}).status_code == 200
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_a_request_is_resolved_as_the_core_resolves_it(client, variant):
+    """Values, shortest patch, document and address; and a run of the same body answers at that address."""
+    body = {"model": {"variant": variant}, "constants": {"K_col_pa_m": 1e6}, "run": {"duration_s": 0.02}}
+    answer, wanted = client.post("/resolve", json=body).json(), resolve(body)
+    assert answer["values"] == values_of(wanted) and answer["request"] == document_of(wanted)
+    assert resolve(answer["patch"]) == wanted == resolve(answer["request"])
+    assert client.post("/simulate", json=body).json()["id"] == answer["id"] == address(wanted)
+    assert client.post("/resolve", json={"activation": {"ta": 9}}).json()["errors"][0]["path"] == "activation.ta"

@@ -36,10 +36,10 @@ def test_the_page_is_there_and_makes_the_browser_a_client(live):
 
 
 def test_files_are_checked_for_changes_and_not_sent_again(http):
-    first = http.get("/api.js")
+    first = http.get("/core/api.js")
     assert first.status_code == 200 and first.headers["content-type"].startswith("text/javascript")
     assert first.headers["cache-control"] == "no-cache"
-    assert http.get("/api.js", headers={"If-None-Match": first.headers["etag"]}).status_code == 304
+    assert http.get("/core/api.js", headers={"If-None-Match": first.headers["etag"]}).status_code == 304
 
 
 def test_the_pages_folder_gives_no_python_and_nothing_outside(http):

@@ -11,7 +11,7 @@ import xarray
 import vfcore
 from tests.server.live_server import finish, run
 from vfcore.runs.result import ARRAYS
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 
 VOICED = {"run": {"duration_s": 0.4}}
 SILENT = {"subglottal_pressure_pa": 0, "run": {"duration_s": 0.1}}
@@ -19,7 +19,7 @@ SILENT = {"subglottal_pressure_pa": 0, "run": {"duration_s": 0.1}}
 
 @pytest.fixture(scope="module")
 def python_result():
-    return vfcore.simulate(simulation_from_dict(VOICED))
+    return vfcore.simulate(resolve(VOICED))
 
 
 @pytest.fixture(scope="module")

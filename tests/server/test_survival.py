@@ -23,8 +23,7 @@ from vfcore.io.result_document import result_document
 from vfcore.io.stored import DamagedFile, load_result, save_result
 from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
 from vfcore.runs.sweep.row import columns, failed_row
-from vfcore.spec.address import canonical
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import document_of, resolve
 from vocalis.server.exceptions import ResultGone
 from vocalis.server.jobs.model import Status
 from vocalis.server.jobs.retention import Limits
@@ -147,17 +146,17 @@ def test_a_sweep_that_fills_the_disk_fails_and_goes_on_when_there_is_room(small_
 
 
 def simulation(**changes) -> dict:
-    return canonical(simulation_from_dict({"run": {"duration_s": 0.02}} | changes))
+    return document_of(resolve({"run": {"duration_s": 0.02}} | changes))
 
 
 def test_old_jobs_and_large_results_go_and_work_under_way_stays(tmp_path):
-    result = vfcore.simulate(simulation_from_dict(simulation()))
+    result = vfcore.simulate(resolve(simulation()))
     size = save_result(result, tmp_path / "probe.npz")
     system = JobSystem(tmp_path / "jobs", limits=Limits(jobs=2, days=90, result_bytes=2 * size, points=1000))
     ended = []
     for vowel in "aiueo":
         job = system.jobs.submit("A", simulation(vowel=vowel))
-        system.finish(job, replace(result, request=simulation_from_dict(job.request)))
+        system.finish(job, replace(result, request=resolve(job.request)))
         ended.append(job)
         time.sleep(0.01)
     active = system.jobs.submit("A", simulation(vowel="a"), fresh=True)
@@ -172,7 +171,7 @@ def test_old_jobs_and_large_results_go_and_work_under_way_stays(tmp_path):
 
 
 def test_a_result_file_reads_back_bit_for_bit_and_damage_is_noticed(tmp_path):
-    result = vfcore.simulate(simulation_from_dict({"run": {"duration_s": 0.2}, "posture": {"strain": 0.1}}))
+    result = vfcore.simulate(resolve({"run": {"duration_s": 0.2}, "posture": {"strain": 0.1}}))
     path = tmp_path / "result.npz"
     assert save_result(result, path) == path.stat().st_size
     again = load_result(path)
@@ -188,7 +187,7 @@ def test_a_result_file_reads_back_bit_for_bit_and_damage_is_noticed(tmp_path):
 
 
 def test_a_damaged_result_is_made_again_rather_than_given(tmp_path):
-    result = vfcore.simulate(simulation_from_dict(simulation()))
+    result = vfcore.simulate(resolve(simulation()))
     system = JobSystem(tmp_path / "jobs")
     job = system.jobs.submit("A", simulation())
     system.finish(job, result)
@@ -221,7 +220,7 @@ def test_nothing_that_an_earlier_version_stored_is_served_or_gone_on_with(tmp_pa
     monkeypatch.setattr(content, "ADDRESS_VERSION", "1")
     content._digest.cache_clear()
     system = JobSystem(tmp_path / "jobs")
-    result = vfcore.simulate(simulation_from_dict(simulation()))
+    result = vfcore.simulate(resolve(simulation()))
     done = system.jobs.submit("A", simulation(), key="mine")
     system.finish(done, result)
     tables = [system.jobs.submit(client, sweep) for client in "AB"]

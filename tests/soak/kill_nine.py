@@ -26,7 +26,7 @@ import vfcore
 from tests.soak.load import Load
 from vfcore.io.result_document import result_document
 from vfcore.runs.sweep import run_sweep, sweep_from_dict
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 
 READY_S = 120
 FINISH_S = 300
@@ -162,7 +162,7 @@ def _is_true(result: dict, body: dict) -> bool:
         if body.get("kind") == "sweep":
             _known[key] = run_sweep(sweep_from_dict(body), workers=2).document()
         else:
-            _known[key] = result_document(vfcore.simulate(simulation_from_dict(body)))
+            _known[key] = result_document(vfcore.simulate(resolve(body)))
     wanted = _known[key]
     return result["phonation_state"] == wanted["phonation_state"] and all(
         _same(result["measures"][name], measure) for name, measure in wanted["measures"].items()

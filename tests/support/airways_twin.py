@@ -1,7 +1,7 @@
 """Two-way coupling, slow and obvious: waves in two tubes as dictionaries of pulses, the flow by bracketing its root.
 
-Written from the derivation in docs/model.md, independent of the compiled kernel it is used to check. Every wave crosses
-one section a step; the glottis is whatever function of the drop it is given.
+Written from the derivation in docs/model/equations.md, independent of the compiled kernel it is used to check. Every
+wave crosses one section a step; the glottis is whatever function of the drop it is given.
 """
 
 from collections.abc import Callable

@@ -8,6 +8,7 @@ from vfcore.fold.march import March
 from vfcore.kernels.layout import RECORD
 from vfcore.larynx.tissue.coefficients import coefficients
 from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import Model, Run, Simulation
 
 MODAL = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.0}
@@ -34,7 +35,7 @@ def product_and_twin(
         convergence_angle_rad=theta_conv,
         model=Model(coupling_gradient=coupling_gradient, shear=shear),
         run=Run(nx=nx, ny=ny),
-        constants=numbers,
+        larynx=PAPER_LARYNX.override(constants),
     )
     fold = assemble(request, coefficients(strain, a_ta, numbers), theta_g, numbers.rest_angle_rad)
     return fold, FoldTwin(strain, a_ta, theta_g, theta_conv, nx, ny, coupling_gradient, shear, numbers)

@@ -1,4 +1,4 @@
-"""The tables of docs/model.md that come from runs of the model, and how two of them are compared.
+"""The tables of docs/model/ and docs/validation.md that come from runs, and how two of them are compared.
 
 Numbers of different machines may differ in the last digit printed, so tables are compared number by number.
 Where nothing repeats the motion is chaotic and no digit is reproducible: such a run is given by its state alone.
@@ -9,7 +9,7 @@ from tests.support.separation_twin import TWINS, measured_voice
 from vfcore.errors import DivergenceError
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.one import prepare, simulate
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, SECTION_TRAVEL_S, Activation, Model, Run, Simulation
 
 PRINTED = {"speed_quotient": "1.52", "closed_quotient": "0.49"}  # by the paper, for the modal case
@@ -61,7 +61,7 @@ def grid() -> str:
 
 def separation() -> str:
     """The modal case with the ends of the air pressure on nodes, and between them (slow twin)."""
-    cases = [("on nodes, as in the product", "nodes", ny) for ny in (10, 20)]
+    cases = [("on nodes, as in Vocalis", "nodes", ny) for ny in (10, 20)]
     cases += [("separation point between nodes", "separation", 10), ("closure between nodes", "closure", 10)]
     cases += [("both between nodes", "both", ny) for ny in (10, 20)]
     rows = []
@@ -104,10 +104,9 @@ def pressures() -> str:
 
 def damping() -> str:
     changes = ({}, {"C_foun_pa_s": 50.0}, {"C_coup_pa_s_m": 100.0}, {"eta_m_pa_s": 5.0})
-    cases = (
-        (", ".join(f"`{k}` = {v:g}" for k, v in c.items()) or "the paper's", Simulation(constants=FoldConstants(**c)))
-        for c in changes
-    )
+    names = [", ".join(f"`{name}` = {value:g}" for name, value in change.items()) for change in changes]
+    folds = [PAPER_LARYNX.override(change) for change in changes]
+    cases = ((name or "the paper's", Simulation(larynx=fold)) for name, fold in zip(names, folds, strict=True))
     return runs("damper changed", cases, (*SOURCE, "spl_30cm_db"))
 
 

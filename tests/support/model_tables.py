@@ -1,4 +1,4 @@
-"""The tables of docs/model.md that the code itself knows, written between markers in that file.
+"""The tables of docs/model/, docs/reference/ and docs/validation.md that the code knows, written between markers.
 
     python -m tests.support.model_tables                  name the tables that are out of date
     python -m tests.support.model_tables --write          rewrite them
@@ -20,10 +20,19 @@ from vfcore.runs.one import prepare
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.joints import JointConstants
 from vfcore.spec.muscles import Muscle
-from vfcore.spec.posture_sets import POSTURE_SETS, SOURCES, posture_set
+from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
 
-DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "model.md"
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+#: The page of every table.
+PAGES = {
+    DOCS / "model" / "choices.md": ("variants",),
+    DOCS / "model" / "numerics.md": ("steps", "time steps", "grid", "separation"),
+    DOCS / "reference" / "constants.md": ("constants", "joints", "muscles", "posture sets", "sources"),
+    DOCS / "reference" / "measures.md": ("measures", "closed"),
+    DOCS / "reference" / "numbers.md": ("numbers",),
+    DOCS / "validation.md": ("modal", "shapes", "pca", "pressures", "damping"),
+}
 GRIDS = ((20, 10), (40, 10), (80, 10), (20, 20), (20, 40))
 ROWS = {"ta": "TA", "ct": "CT", "lca": "LCA", "ia": "IA", "pca": "PCA", "lig": "ligament", "muc": "mucosa"}
 
@@ -40,8 +49,13 @@ def number(value) -> str:
 
 
 def block(text: str, name: str) -> str:
-    """What stands between the markers of one table."""
+    """The text between the markers of one table."""
     return re.search(rf"<!-- table: {name} -->\n(.*?)\n<!-- end -->", text, re.DOTALL)[1]
+
+
+def page_of(name: str) -> Path:
+    """The page that holds a table."""
+    return next(page for page, names in PAGES.items() if name in names)
 
 
 def measures() -> str:
@@ -77,7 +91,7 @@ def posture_sets() -> str:
     """Where the other sets differ from the default one."""
     default = posture_set("serry2026")
     rows = []
-    for name in POSTURE_SETS[1:]:
+    for name in list(POSTURE_SETS)[1:]:
         constants = posture_set(name)
         for f in dataclasses.fields(Muscle):
             own = {key: getattr(getattr(constants, key), f.name) for key in ROWS}
@@ -87,7 +101,10 @@ def posture_sets() -> str:
 
 
 def sources() -> str:
-    return table(("set", "source"), ((f"`{name}`", source) for name, source in SOURCES.items()))
+    return table(
+        ("set", "source"),
+        ((f"`{name}`", row.source) for name, row in POSTURE_SETS.items()),
+    )
 
 
 def numbers() -> str:
@@ -122,20 +139,21 @@ TABLES = {
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--write", action="store_true", help="rewrite docs/model.md")
+    parser.add_argument("--write", action="store_true", help="rewrite the pages")
     parser.add_argument("--runs", action="store_true", help="also the tables that need simulations")
     wanted = parser.parse_args()
     makers = dict(TABLES)
     if wanted.runs:
         makers |= import_module("tests.support.model_runs").RUNS
-    text = DOCUMENT.read_text(encoding="utf-8")
-    for name, make in makers.items():
-        old, new = block(text, name), make()
-        if old != new:
-            print(f"{name}: {'rewritten' if wanted.write else 'out of date'}")
-            text = text.replace(f"<!-- table: {name} -->\n{old}\n", f"<!-- table: {name} -->\n{new}\n")
-    if wanted.write:
-        DOCUMENT.write_text(text, encoding="utf-8")
+    for page, names in PAGES.items():
+        text = page.read_text(encoding="utf-8")
+        for name in filter(makers.get, names):
+            old, new = block(text, name), makers[name]()
+            if old != new:
+                print(f"{page.relative_to(DOCS.parent)}: {name} {'rewritten' if wanted.write else 'is out of date'}")
+                text = text.replace(f"<!-- table: {name} -->\n{old}\n", f"<!-- table: {name} -->\n{new}\n")
+        if wanted.write:
+            page.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -12,7 +12,8 @@ from vfcore.measures import CATALOGUE
 from vfcore.measures.signals import unread
 from vfcore.runs.many import run_points, static_shapes
 from vfcore.runs.one import simulate
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.larynx import PAPER_LARYNX
+from vfcore.spec.request import resolve
 
 COUNTS_SAMPLES = {"contact_quotient"}  # not interpolated: rounding may move it by one sample
 
@@ -123,7 +124,7 @@ def test_what_is_not_known_is_refused_by_name(wrong):
 
 def test_static_shapes_of_many_are_those_of_one():
     slack = vfcore.Simulation(
-        posture=vfcore.PostureOverride(strain=-0.3), constants=vfcore.FoldConstants(epsilon_1_muc=-0.2)
+        posture=vfcore.PostureOverride(strain=-0.3), larynx=PAPER_LARYNX.override({"epsilon_1_muc": -0.2})
     )
     requests = [_short(), slack, HIGH]
     modal, failed, high = static_shapes(requests)
@@ -139,8 +140,8 @@ def test_static_shapes_of_many_are_those_of_one():
 def test_a_point_with_two_way_coupling_is_the_run_itself_among_others():
     document = {"subglottal_pressure_pa": 700, "run": {"duration_s": 0.2}}
     document |= {"model": {"variant": "human", "coupling": "one_way"}}
-    coupled = simulation_from_dict(document | {"model": {"variant": "human"}})
+    coupled = resolve(document | {"model": {"variant": "human"}})
     alone = simulate(coupled).report
-    first, second, third = run_points([simulation_from_dict(document), coupled, simulation_from_dict(document)])
+    first, second, third = run_points([resolve(document), coupled, resolve(document)])
     assert second.report.measures == alone.measures
     assert first.report.measures == third.report.measures != alone.measures

@@ -11,7 +11,7 @@ import vfcore
 from vfcore.io.result_document import json_text, posture_document, result_document
 from vfcore.measures.measure import Measure
 from vfcore.runs.one import prepare, simulate
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Activation, PostureOverride, Run, Simulation
 
 MODAL = Simulation(run=Run(duration_s=0.3))
@@ -69,7 +69,7 @@ def test_a_result_is_strict_json_with_the_contract_s_keys(modal):
 
 def test_the_provenance_is_enough_to_run_it_again(modal):
     provenance = result_document(modal)["provenance"]
-    again = simulate(simulation_from_dict(json.loads(json_text(provenance["request"]))))
+    again = simulate(resolve(json.loads(json_text(provenance["request"]))))
     assert np.array_equal(again.arrays["glottal_flow_m3_s"], modal.arrays["glottal_flow_m3_s"])
     assert provenance["time_step_s"] == pytest.approx(0.0025 / 350 * 5)
 

@@ -12,7 +12,7 @@ from vfcore.io.netcdf import netcdf_bytes, request_of, write_netcdf
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.one import simulate
 from vfcore.runs.result import ARRAYS
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Activation, Run, Simulation
 
 
@@ -72,7 +72,7 @@ def test_posture_and_coefficients_carry_their_units(dataset, result):
 
 
 def test_the_file_says_what_it_is_and_how_to_make_it_again(dataset, result):
-    assert simulation_from_dict(request_of(dataset.attrs)) == result.request
+    assert resolve(request_of(dataset.attrs)) == result.request
     assert dataset.attrs["phonation_state"] == result.report.state
     for name in ("model_version", "code_version", "numba_version", "created", "time_step_s", "sample_rate_hz"):
         assert dataset.attrs[name] == getattr(result.provenance, name)

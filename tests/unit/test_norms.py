@@ -10,8 +10,8 @@ import pytest
 
 from tests.support.inline_pool import InlinePool
 from vfcore.runs.one import posture_of
-from vfcore.spec.document import simulation_from_dict, simulation_to_dict
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.larynx import PAPER_LARYNX
+from vfcore.spec.request import document_of, resolve
 from vfcore.spec.variants import VARIANTS
 from vfcore.version import MODEL_VERSION
 from vocalis.cli.main import main
@@ -20,9 +20,8 @@ from vocalis.studies.norms.candidate import HELD, Candidate, Reference, front
 from vocalis.studies.norms.efforts import POSTURE, requests
 from vocalis.studies.norms.evolution import evolve
 from vocalis.studies.norms.norms import FIFTEEN, NORMS
-from vocalis.studies.norms.page import tables
 from vocalis.studies.norms.score import answer, judge, judged, score_variant
-from vocalis.studies.norms.ship import MADE, PAGE, shipped
+from vocalis.studies.norms.ship import MADE, pages, shipped
 from vocalis.studies.norms.voice import flow_measures
 from vocalis.studies.paper.report.text import filled
 
@@ -62,7 +61,7 @@ def test_a_mask_does_not_see_the_fastest_fall():
 
 
 def test_a_run_without_an_answer_has_no_numbers():
-    impossible = simulation_from_dict({"posture": {"strain": -0.45}, "run": {"duration_s": 0.05}})
+    impossible = resolve({"posture": {"strain": -0.45}, "run": {"duration_s": 0.05}})
     runs = dict.fromkeys(requests(impossible), answer(impossible))
     assert all(row["value"] is None or row["verdict"] != "pass" for row in judged(runs)["norms"].values())
 
@@ -75,16 +74,16 @@ def test_human_changes_constants_only_and_says_why():
             paper.posture_set, paper.coupling_gradient, paper.shear,
         )  # fmt: skip
         for change in variant.changes:
-            assert change.value != getattr(FoldConstants(), change.name) and len(change.why) > 20
+            assert change.value != PAPER_LARYNX.value(change.name) and len(change.why) > 20
 
 
 def test_a_variant_and_overrides_survive_the_round_trip_of_a_request():
     document = {"model": {"variant": "human", "coupling": "two_way"}, "constants": {"C_coup_pa_s_m": 500}}
-    request = simulation_from_dict(document)
+    request = resolve(document)
     assert request.constants.C_coup_pa_s_m == 500
     assert request.constants.A_muc_0_m2 == VARIANTS["human"].overrides["A_muc_0_m2"]
-    echoed = simulation_to_dict(request)
-    assert echoed["constants"] == {"C_coup_pa_s_m": 500} and simulation_from_dict(echoed) == request
+    echoed = document_of(request)
+    assert echoed["constants"] == {"C_coup_pa_s_m": 500} and resolve(echoed) == request
 
 
 def test_the_human_voice_meets_the_norms_it_is_shipped_with():
@@ -136,7 +135,7 @@ def test_a_set_tried_is_a_rounded_one_in_the_box_and_leaves_the_posture_alone():
         assert all(value == float(f"{value:.2g}") for value in own.values())
         base = factors.base_of(values)
         assert base.model.coupling == "two_way" and base.constants.A_muc_0_m2 == own["A_muc_0_m2"]
-        plain = simulation_from_dict({"activation": factors.activation_of(values)})
+        plain = resolve({"activation": factors.activation_of(values)})
         assert posture_of(base) == posture_of(plain)
 
 
@@ -195,8 +194,8 @@ def test_the_shipped_study_is_in_the_order_of_its_rule_and_its_front_is_one():
 
 def test_the_variant_and_the_posture_of_the_norms_are_what_the_study_adopts():
     adopted = DOCUMENTS["calibration"]["best"][0]
-    own = VARIANTS["human"].constants()
-    assert {name: getattr(own, name) for name in adopted["constants"]} == adopted["constants"]
+    own = resolve({"model.variant": "human"}).larynx
+    assert {name: own.value(name) for name in adopted["constants"]} == adopted["constants"]
     assert set(VARIANTS["human"].overrides) <= set(adopted["constants"])
     assert asdict(POSTURE) == pytest.approx(adopted["activation"])
 
@@ -210,8 +209,9 @@ def test_human_keeps_the_shapes_and_maps_that_its_coupling_leaves_the_paper():
 
 
 def test_docs_say_what_is_shipped_and_it_belongs_to_this_model():
-    text = PAGE.read_text(encoding="utf-8")
-    assert filled(text, tables(DOCUMENTS)) == text, "run `python -m vocalis.studies.norms.ship --text`"
+    for path, by_name in pages().items():
+        text = path.read_text(encoding="utf-8")
+        assert filled(text, by_name) == text, "run `python -m vocalis.studies.norms.ship --text`"
     for name, document in DOCUMENTS.items():
         assert document["provenance"]["model_version"] == MODEL_VERSION, (
             f"{name}: run `python -m vocalis.studies.norms.ship`"

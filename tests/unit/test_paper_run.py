@@ -7,16 +7,16 @@ import pytest
 
 from tests.support.inline_pool import InlinePool
 from vfcore.runs.one import simulate
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Simulation
 from vocalis.studies.paper import CASES, CLAIMS, Verdict
 from vocalis.studies.paper.cases import Axis
 from vocalis.studies.paper.run.gather import Failure, gather, gather_here, workers
 from vocalis.studies.paper.run.score import cases_for, definitions_hash, judge, score
 
-TOO_LONG_A_STEP = simulation_from_dict({"run": {"time_step_s": 1e-3}})
-NO_TENSION = simulation_from_dict({"constants": {"sigma_1_muc_pa": 0, "sigma_2_muc_pa": 0}})
-SHORT = simulation_from_dict({"run": {"duration_s": 0.25}})
+TOO_LONG_A_STEP = resolve({"run": {"time_step_s": 1e-3}})
+NO_TENSION = resolve({"constants": {"sigma_1_muc_pa": 0, "sigma_2_muc_pa": 0}})
+SHORT = resolve({"run": {"duration_s": 0.25}})
 
 
 def small(key, *levels, base=SHORT):

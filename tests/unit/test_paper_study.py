@@ -6,8 +6,8 @@ import pytest
 
 from tests.support.inline_pool import InlinePool
 from vfcore.runs.one import prepare
-from vfcore.spec.document import simulation_from_dict
 from vfcore.spec.posture_sets import posture_set
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Activation, Simulation
 from vocalis.studies.paper.cases import CASES
 from vocalis.studies.paper.claims.claim import Outcome, Verdict
@@ -29,16 +29,16 @@ DEFAULT_ROW = row("default", A1="deviation", P2="deviation", P3="fail")
 
 @pytest.mark.parametrize("choice", CHOICES, ids=lambda choice: choice.name)
 def test_a_choice_is_a_request_that_is_not_the_default(choice):
-    changed = simulation_from_dict(choice.change) != Simulation()
+    changed = resolve(choice.change) != Simulation()
     assert changed or choice.level != DEFAULT.level or choice.fold is not DEFAULT.fold
 
 
 def test_two_choices_at_once_keep_both_constants():
     at = {choice.name: choice for choice in CHOICES}
     pair = both(at["L_0 of the posturing 15 mm"], at["θ_0 0.239 rad"])
-    request = simulation_from_dict(pair.change)
+    request = resolve(pair.change)
     assert request.posturing.L_0_posture_m == 0.015 and request.constants.rest_angle_rad == 0.239
-    assert simulation_from_dict(at["θ_0 0.239 rad"].change).posturing.L_0_posture_m == 0.0173
+    assert resolve(at["θ_0 0.239 rad"].change).posturing.L_0_posture_m == 0.0173
     assert both(at["level at 30 cm"], at["vowel i"]).level == both(at["vowel i"], at["level at 30 cm"]).level
     assert both(at["vowel i"], at["level at 30 cm"]).level == "spl_30cm_db"
 
@@ -102,7 +102,7 @@ def test_the_reported_alpha_stiffens_a_relaxed_stretched_fold_and_reaches_the_ru
 
 def test_tissue_mixes_change_their_tissues_alone():
     at = {choice.name: choice for choice in CHOICES}
-    request = simulation_from_dict(at["posturing tissue TA and muc of alzamendi2020"].change)
+    request = resolve(at["posturing tissue TA and muc of alzamendi2020"].change)
     own, other = posture_set("serry2026"), posture_set("alzamendi2020")
     assert (request.posturing.ta, request.posturing.muc, request.posturing.lig) == (other.ta, other.muc, own.lig)
-    assert simulation_from_dict(DESIGNED[-1].change).posturing.L_0_posture_m == 0.015
+    assert resolve(DESIGNED[-1].change).posturing.L_0_posture_m == 0.015

@@ -133,10 +133,10 @@ def test_none_is_no_choice_where_something_must_be_chosen():
 
 
 def test_a_variant_sets_the_others_and_each_may_be_given_to_override():
-    paper, literal = Model().resolved(), Model(variant="text_literal").resolved()
+    paper, literal = Model(), Model(variant="text_literal")
     assert (paper.posture_set, paper.coupling_gradient, paper.shear) == ("serry2026", "inferior_stiff", "kelvin_voigt")
     assert (literal.coupling_gradient, literal.shear) == ("superior_stiff", "rotation")
-    mixed = Model(variant="text_literal", shear="kelvin_voigt").resolved()
+    mixed = Model(variant="text_literal", shear="kelvin_voigt")
     assert (mixed.coupling_gradient, mixed.shear) == ("superior_stiff", "kelvin_voigt")
     assert Simulation(model=Model(posture_set="alzamendi2020")).posturing.set_name == "alzamendi2020"
 

@@ -6,8 +6,9 @@ import math
 import pytest
 
 from vfcore.errors import ParameterError
-from vfcore.spec.document import numeric_paths, simulation_from_dict, simulation_to_dict
+from vfcore.spec import paths
 from vfcore.spec.presets import PRESETS
+from vfcore.spec.request import document_of, resolve
 from vfcore.spec.schema import parameter_schema
 from vfcore.spec.simulation import Activation, Model, PostureOverride, Run, Simulation
 
@@ -27,12 +28,12 @@ def nested(key, value):
 
 def refusal(document):
     with pytest.raises(ParameterError) as caught:
-        simulation_from_dict(document)
+        resolve(document)
     return caught.value
 
 
 def test_an_empty_document_is_the_modal_case():
-    assert simulation_from_dict({}) == Simulation() == simulation_from_dict({"kind": "simulation"})
+    assert resolve({}) == Simulation() == resolve({"kind": "simulation"})
 
 
 @pytest.mark.parametrize(
@@ -42,18 +43,18 @@ def test_an_empty_document_is_the_modal_case():
         Simulation(activation=Activation(ta=0.1, pca=1.0), subglottal_pressure_pa=432.1, vowel="AE"),
         Simulation(model=Model(variant="text_literal", posture_set="titze2006"), run=Run(nx=30, time_step_s=2e-6)),
         Simulation(posture=PostureOverride(strain=0.2, glottal_half_angle_rad=0.004), run=Run(start="static")),
-        simulation_from_dict({"constants": {"K_col_pa_m": 2e6, "L_0_posture_m": 0.015, "TA_sigma_max_active_pa": 9e4}}),
-        simulation_from_dict({"model": {"posture_set": "palaparthi2019"}, "constants": {"lig_sigma_0_pa": 900.0}}),
-        *(simulation_from_dict(preset.request) for preset in PRESETS),
+        resolve({"constants": {"K_col_pa_m": 2e6, "L_0_posture_m": 0.015, "TA_sigma_max_active_pa": 9e4}}),
+        resolve({"model": {"posture_set": "palaparthi2019"}, "constants": {"lig_sigma_0_pa": 900.0}}),
+        *(resolve(preset.request) for preset in PRESETS),
     ],
 )
 def test_a_request_survives_the_way_to_json_and_back(request_):
-    assert simulation_from_dict(json.loads(json.dumps(simulation_to_dict(request_)))) == request_
+    assert resolve(json.loads(json.dumps(document_of(request_)))) == request_
 
 
 def test_a_document_names_only_the_constants_that_differ():
-    request = simulation_from_dict({"constants": {"K_col_pa_m": 2e6, "b_0_m": 5e-3, "k_t_n_m": 501.0}})
-    assert simulation_to_dict(request)["constants"] == {"K_col_pa_m": 2e6, "k_t_n_m": 501.0}
+    request = resolve({"constants": {"K_col_pa_m": 2e6, "b_0_m": 5e-3, "k_t_n_m": 501.0}})
+    assert document_of(request)["constants"] == {"K_col_pa_m": 2e6, "k_t_n_m": 501.0}
 
 
 @pytest.mark.parametrize("row", NUMBERS, ids=lambda row: row["key"])
@@ -74,13 +75,13 @@ def test_every_number_is_refused_outside_its_range_and_by_its_own_name(row):
 @pytest.mark.parametrize("row", NUMBERS, ids=lambda row: row["key"])
 def test_every_number_can_be_set(row):
     value = row["default"] if row["default"] is not None else row["min"]
-    assert simulation_from_dict(nested(row["key"], value)) is not None
+    assert resolve(nested(row["key"], value)) is not None
 
 
 @pytest.mark.parametrize("row", CHOICES, ids=lambda row: row["key"])
 def test_every_choice_takes_its_options_and_no_other(row):
     for option in row["options"]:
-        simulation_from_dict(nested(row["key"], option))
+        resolve(nested(row["key"], option))
     for value in ("", "no such", 3, ["i"], {}):
         error = refusal(nested(row["key"], value))
         assert error.path == row["key"]
@@ -90,7 +91,7 @@ def test_every_choice_takes_its_options_and_no_other(row):
 @pytest.mark.parametrize("key", ["run.nx", "run.ny"])
 def test_a_grid_is_a_whole_number(key):
     assert refusal(nested(key, 12.5)).path == key
-    request = simulation_from_dict(nested(key, 12.0))  # JSON does not tell 12.0 from 12
+    request = resolve(nested(key, 12.0))  # JSON does not tell 12.0 from 12
     count = getattr(request.run, key.removeprefix("run."))
     assert count == 12 and isinstance(count, int)
 
@@ -127,5 +128,5 @@ def test_what_is_no_object_is_refused():
 
 
 def test_the_numeric_paths_are_those_of_the_schema():
-    assert set(numeric_paths()) == {row["key"] for row in NUMBERS}
-    assert len(numeric_paths()) == len(set(numeric_paths()))
+    assert set(paths.NUMBERS) == {row["key"] for row in NUMBERS}
+    assert len(paths.NUMBERS) == len(set(paths.NUMBERS))

@@ -5,10 +5,10 @@ import dataclasses
 import pytest
 
 from vfcore.io.result_document import json_text
-from vfcore.spec.document import simulation_from_dict, simulation_to_dict
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
 from vfcore.spec.presets import PRESETS
+from vfcore.spec.request import document_of, resolve
 from vfcore.spec.schema import GROUPS, parameter_catalogue, parameter_schema, sensible_step
 from vfcore.spec.simulation import BROUGHT_BY_VARIANT, VARIANTS, VOWELS, Simulation
 
@@ -24,7 +24,7 @@ def leaves(document, prefix=""):
 
 
 def test_every_field_of_a_request_has_a_row_with_its_default():
-    document = simulation_to_dict(Simulation())
+    document = document_of(Simulation())
     fields = {key: value for key, value in leaves(document) if key not in ("kind", "posture")}
     brought = {f"model.{name}" for name in BROUGHT_BY_VARIANT}
     assert {key: value for key, value in fields.items() if key not in brought} == {
@@ -82,7 +82,7 @@ def test_the_catalogue_is_strict_json_and_complete():
     assert catalogue["variants"][0]["shear"] == "kelvin_voigt" and catalogue["variants"][1]["shear"] == "rotation"
     assert [preset["key"] for preset in catalogue["presets"]] == [preset.key for preset in PRESETS]
     for preset in catalogue["presets"]:
-        simulation_from_dict(preset["request"])
+        resolve(preset["request"])
 
 
 @pytest.mark.parametrize(

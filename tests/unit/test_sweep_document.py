@@ -6,8 +6,7 @@ from hypothesis import strategies as st
 
 from vfcore.errors import ParameterError
 from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
-from vfcore.runs.sweep.paths import numbers
-from vfcore.spec.document import numeric_paths
+from vfcore.spec.paths import DECLARATIONS, NUMBERS
 
 CT = {"parameter": "activation.ct", "values": [0, 0.5, 1]}
 
@@ -74,13 +73,12 @@ def test_equal_sweeps_are_equal_documents():
 
 
 def values_of(path: str):
-    row = numbers()[path]
-    if row["type"] == "integer":
-        return st.integers(row["min"], row["max"])
-    return st.floats(row["min"], row["max"]) | st.just(row["default"] or row["min"])
+    row = DECLARATIONS[path]
+    low, high = row.metadata["low"], row.metadata["high"]
+    return st.integers(low, high) if row.is_whole else st.floats(low, high) | st.just(row.default or low)
 
 
-overrides = st.lists(st.sampled_from(numeric_paths()), min_size=1, max_size=4, unique=True).flatmap(
+overrides = st.lists(st.sampled_from(NUMBERS), min_size=1, max_size=4, unique=True).flatmap(
     lambda paths: st.fixed_dictionaries({path: values_of(path) for path in paths})
 )
 

@@ -90,7 +90,7 @@ def tract_of(request: Simulation) -> Tract:
     """The vocal tract of a request in sections of SECTION_LENGTH_M, for the sound of one-way coupling."""
     air = request.constants
     return vowel_tract(
-        request.vowel, air.rho_a_kg_m3, air.c_a_m_s, scale=request.model.resolved().airway_scale
+        request.vowel, air.rho_a_kg_m3, air.c_a_m_s, scale=request.larynx.airways.airway_scale
     )  # fmt: skip
 
 
@@ -99,4 +99,4 @@ def airways_of(request: Simulation, step_s: float) -> Airways | None:
     if request.model.coupling == "one_way":
         return None
     air = request.constants
-    return airways(request.vowel, air.rho_a_kg_m3, air.c_a_m_s, step_s, request.model.resolved().airway_scale)
+    return airways(request.vowel, air.rho_a_kg_m3, air.c_a_m_s, step_s, request.larynx.airways.airway_scale)

@@ -48,7 +48,7 @@ class Fold:
 def assemble(request: Simulation, c: Coefficients, theta_g: float, theta_0: float) -> Fold:
     """The fold of a request at a given posture (θ_g clipped at 0, θ_0 the rest angle, rad)."""
     nx, ny = request.run.nx, request.run.ny
-    choices = request.model.resolved()
+    choices = request.model
     x = np.linspace(0.0, c.length_m, nx)
     y = np.linspace(0.0, c.thickness_m, ny)
     G = medial_plane(x, y[:, None], np.tan(theta_g), np.tan(request.convergence_angle_rad))

@@ -18,7 +18,7 @@ from vfcore.measures.measure import Measure
 from vfcore.runs.error_estimate import METHOD
 from vfcore.runs.one import Prepared
 from vfcore.runs.result import ARRAYS, SimulationResult
-from vfcore.spec.document import simulation_to_dict
+from vfcore.spec.request import document_of
 
 ARRAY_DTYPE = "float32"  # as octets on the wire; files and Python hold float64
 
@@ -85,7 +85,7 @@ def result_document(result: SimulationResult) -> dict[str, Any]:
             }
             for name, spec in ARRAYS.items()
         },
-        "provenance": dataclasses.asdict(result.provenance) | {"request": simulation_to_dict(result.request)},
+        "provenance": dataclasses.asdict(result.provenance) | {"request": document_of(result.request)},
     }
     document = without_gaps(document)
     if report.periodicity is None:

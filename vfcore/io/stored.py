@@ -16,7 +16,7 @@ import numpy as np
 from vfcore.errors import VocalisError
 from vfcore.io.atomic import replacing
 from vfcore.runs.result import SimulationResult
-from vfcore.spec.document import simulation_from_dict, simulation_to_dict
+from vfcore.spec.request import document_of, resolve
 from vfcore.spec.simulation import Simulation
 
 _HEAD = "head"
@@ -52,7 +52,7 @@ def load_result(path: str | os.PathLike) -> SimulationResult:
 
 def _plain(value: Any, path: str, arrays: dict[str, np.ndarray]) -> Any:
     if isinstance(value, Simulation):
-        return simulation_to_dict(value)
+        return document_of(value)
     if isinstance(value, np.ndarray):
         arrays[path] = value
         return path
@@ -68,7 +68,7 @@ def _plain(value: Any, path: str, arrays: dict[str, np.ndarray]) -> Any:
 def _built(kind: Any, plain: Any, arrays: dict[str, np.ndarray]) -> Any:
     """The value of type ``kind`` that ``_plain`` was given."""
     if kind is Simulation:
-        return simulation_from_dict(plain)
+        return resolve(plain)
     if kind is np.ndarray:
         return arrays[plain]
     if names := _names(kind):

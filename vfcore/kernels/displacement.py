@@ -10,8 +10,8 @@ which is summed once by
 
     w^{n+1} = w^n + dt (v^{n+½} + (δ^n − δ^{n−1})/12)
 
-Then h²/24 becomes 0.023 h⁴, and a mode without damper loses h³/24 of its amplitude per radian (docs/model.md,
-section 4). The increment before is read from the two velocities that are kept, δ^{n−1} = 2 (v* − v^{n−½}):
+Then h²/24 becomes 0.023 h⁴, and a mode without damper loses h³/24 of its amplitude per radian (docs/model/numerics.md,
+"Accuracy"). The increment before is read from the two velocities that are kept, δ^{n−1} = 2 (v* − v^{n−½}):
 
     v^{n+½} + (δ^n − δ^{n−1})/12 = (7 v^{n−½} − v*)/6 + 13/12 δ^n
 """

@@ -1,6 +1,6 @@
 """The step of the fold: flow → contact → membrane → beam; longer than other files, for it is one compiled loop.
 
-Scheme (see docs/model.md, "Time stepping"). Velocities live on half steps:
+Scheme (see docs/model/numerics.md, "Time stepping"). Velocities live on half steps:
 
     v^{n+½} = v^{n−½} + dt a(w^n, v*),   w^{n+1} = w^n + dt v^{n+½},   v* = v^{n−½} + ½ (v^{n−½} − v^{n−3/2})
 

@@ -223,7 +223,7 @@ ROWS = (
         key="jitter_percent", symbol="jitter", name="jitter (local)", unit="%", group=PERTURBATION_GROUP, signal=AREA,
         decimals=2,
         definition="Mean difference between the lengths of neighbouring cycles, relative to the mean length. "
-        "Given for irregular voices only; above about 5 % it ranks voices no longer.",
+        "Given for irregular voices only; above about 5 % it no longer ranks voices.",
         formula="100 · mean|T_i − T_i+1| / mean T",
         threshold="cycle lengths from opening to opening (from minimum to minimum where the glottis never closes)",
         source="Titze (1995)",

@@ -2,7 +2,7 @@
 
 The run asked for has spacing h = √(dx·dy) and two companions with h/1.5 and h/2, time step divided by a whole number
 at least as large (more where stability asks for it). Finer and not coarser grids, because on 10 × 5 nodes the measures
-are not yet on their way to the limit (docs/model.md, section 4).
+are not yet on their way to the limit (docs/model/numerics.md).
 
 With f₁ on the finest grid, f₂, f₃ on the grid asked for, a measure that changes one way has the observed order p of
 
@@ -34,7 +34,7 @@ SAFETY_OBSERVED, SAFETY_ASSUMED = 1.25, 3.0
 #: A change below this share of the value is rounding.
 ROUNDING = 1e-9
 NO_VALUE = "The measure has no value here."
-METHOD = "Richardson extrapolation over three grids, Roache's safety factors; docs/model.md, section 4"
+METHOD = "Richardson extrapolation over three grids, Roache's safety factors; docs/model/numerics.md"
 
 
 class Level(NamedTuple):

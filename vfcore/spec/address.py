@@ -1,71 +1,84 @@
-"""The address of a result: a hash of what is computed, in one form, and of the versions that give it its meaning.
+"""The address of a result: a hash of what is computed, and of the versions that give it its meaning.
 
 Two requests have one address exactly when they resolve to the same computation. So a computation names no variant and
-no posture set: it holds the equations they stand for and every constant, overridden or not.
+no posturing set: it holds the equations they stand for and every constant, overridden or not.
 """
 
 import hashlib
 import json
+from collections.abc import Mapping
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
-from vfcore.spec.document import FOLD_NAMES, simulation_to_dict
-from vfcore.spec.posture_sets import PosturingConstants, constant_names
+from vfcore.spec.larynx import CONSTANTS
+from vfcore.spec.paths import LARYNX, OPTIONAL_PARTS, PARTS
+from vfcore.spec.request import values_of
 from vfcore.spec.simulation import Simulation
 from vfcore.version import ADDRESS_VERSION, MODEL_VERSION
 
-WHOLE = ("nx", "ny")
+#: Names of published choices. What they stand for is in the constants.
+NAMES_ONLY = ("model.variant", "model.posture_set")
 
 
-def canonical(request: Simulation) -> dict[str, Any]:
-    """The complete request document with every number in one form: equal requests are equal documents."""
-    return _one_form(simulation_to_dict(request))
+class Computation(NamedTuple):
+    """What a request resolves to.
+
+    ``settings``: every value by path but those of the larynx. ``constants``: the larynx, in the order of CONSTANTS.
+    """
+
+    settings: Mapping[str, Any]
+    constants: tuple[float, ...]
+
+    def with_numbers(self, numbers: Mapping[str, float]) -> "Computation":
+        """The computation of ``patched``, without making the request: a sweep has one for every point."""
+        settings, constants = dict(self.settings), self.constants
+        changed: dict[str, float] = {}
+        for path, value in numbers.items():
+            part, _, name = path.rpartition(".")
+            if part == LARYNX:
+                changed[name] = value
+                continue
+            if part in OPTIONAL_PARTS and settings.pop(part, part) is None:
+                settings |= _defaults(part)
+            settings[path] = value
+        if changed:
+            constants = tuple(changed.get(name, value) for name, value in zip(CONSTANTS, constants, strict=True))
+        return Computation(settings, constants)
+
+    def address(self, *more: Any) -> str:
+        """Where its result is kept, or what else is asked of it."""
+        return content_hash([self.settings, _digest(self.constants), *more])
 
 
-def computation(request: Simulation) -> dict[str, Any]:
-    """What a request resolves to, with nothing left to a default: equal computations are equal documents."""
-    document = canonical(request)
-    model, variant = document.pop("model"), request.model.resolved()
-    document["equations"] = {name: model[name] for name in ("coupling_gradient", "shear", "coupling")}
-    document["airway_scale"] = variant.airway_scale
-    fold = {name: getattr(request.constants, name) for name in FOLD_NAMES}
-    document["constants"] = _one_form(fold) | _posturing(request.posturing)
-    return document
-
-
-@lru_cache(maxsize=64)
-def _posturing(constants: PosturingConstants) -> dict[str, float]:
-    return _one_form({name: constants.value(name) for name in constant_names()})
+def computation(request: Simulation) -> Computation:
+    """The computation that a request stands for."""
+    settings, constants = {}, []
+    for path, value in values_of(request).items():
+        if path.startswith(f"{LARYNX}."):
+            constants.append(value)
+        elif path not in NAMES_ONLY:
+            settings[path] = value
+    return Computation(settings, tuple(constants))
 
 
 def address(request: Simulation) -> str:
     """Where the result of a request is kept."""
-    return computation_address(computation(request))
-
-
-def computation_address(computation: dict[str, Any], *more: Any) -> str:
-    """The address of a computation, or of what else is asked of it."""
-    digest = _digest(tuple(computation["constants"].values()))
-    return content_hash([computation | {"constants": digest}, *more])
-
-
-@lru_cache(maxsize=256)
-def _digest(constants: tuple[float, ...]) -> str:
-    """All constants in the order of ``computation`` as one: the points of a sweep mostly share them."""
-    return content_hash(constants)
+    return computation(request).address()
 
 
 def content_hash(document: Any) -> str:
     """32 hexadecimal digits for a plain document under this version of the model and of addresses."""
-    text = json.dumps(
-        [MODEL_VERSION, ADDRESS_VERSION, document], sort_keys=True, separators=(",", ":"), allow_nan=False
-    )
+    versions = [MODEL_VERSION, ADDRESS_VERSION]
+    text = json.dumps([*versions, document], sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 
-def _one_form(value: Any, key: str = "") -> Any:
-    if isinstance(value, dict):
-        return {name: _one_form(item, name) for name, item in value.items()}
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        return value
-    return int(value) if key in WHOLE else float(value) + 0.0  # -0.0 is 0.0
+@lru_cache(maxsize=256)
+def _digest(constants: tuple[float, ...]) -> str:
+    """All constants as one: the points of a sweep mostly share them."""
+    return content_hash(constants)
+
+
+def _defaults(part: str) -> dict[str, Any]:
+    made = PARTS[part]()
+    return {f"{part}.{name}": getattr(made, name) for name in made.__slots__}

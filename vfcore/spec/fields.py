@@ -1,14 +1,16 @@
 """One declaration per number: unit, label, range, source and help travel with the field.
 
-The parameter schema, the validator, the command line's help and docs/model.md all read
+The parameter schema, the validator, the command line's help and docs/reference/ all read
 the metadata that ``quantity`` attaches to a dataclass field.
 """
 
 import dataclasses
 import math
 import sys
+from collections.abc import Mapping
 from functools import cache
 from numbers import Real
+from typing import Any
 
 from vfcore.errors import ParameterError
 
@@ -16,7 +18,7 @@ PAPER = "Serry, Zañartu & Peterson (2026)"
 
 
 def quantity(
-    default: float,
+    default: Any,
     unit: str,
     label: str,
     low: float,
@@ -26,11 +28,16 @@ def quantity(
     help: str = "",
     symbol: str = "",
     step: float | None = None,
-):
-    """A float field of a frozen dataclass, valid on the closed interval [low, high]."""
+    whole: bool = False,
+) -> Any:
+    """A number field of a frozen dataclass, valid on the closed interval [low, high].
+
+    ``default`` None: the field may be null, and its class says what that means. ``whole``: the number is an integer.
+    """
     return dataclasses.field(
         default=default,
         metadata={
+            "type": "integer" if whole else "number",
             "unit": unit,
             "label": label,
             "low": low,
@@ -43,54 +50,78 @@ def quantity(
     )
 
 
-def choice(default: str | None, label: str, options: tuple[str, ...], *, source: str, help: str = ""):
-    """A string field that takes one of ``options``."""
+def choice(default: str | None, label: str, options: tuple[str, ...], *, source: str, help: str = "") -> Any:
+    """A string field that takes one of ``options``; with the default None also null."""
     return dataclasses.field(
         default=default,
-        metadata={"label": label, "options": options, "source": source, "help": help},
+        metadata={"type": "choice", "label": label, "options": options, "source": source, "help": help},
     )
 
 
-def flag(default: bool, label: str, *, source: str, help: str = ""):
+def flag(default: bool, label: str, *, source: str, help: str = "") -> Any:
     """A field that is true or false."""
-    return dataclasses.field(default=default, metadata={"label": label, "flag": True, "source": source, "help": help})
+    return dataclasses.field(
+        default=default, metadata={"type": "boolean", "label": label, "source": source, "help": help}
+    )
 
 
-def validate(instance, prefix: str = "") -> None:
+def part(kind: type, *, optional: bool = False) -> Any:
+    """A field that is an object of a request, itself a dataclass of declared fields.
+
+    ``optional``: the object may be null, and is null by default. Everything that reads requests (paths, documents,
+    addresses, schema, the server's bodies) follows this declaration.
+    """
+    return dataclasses.field(
+        metadata={"part": kind, "optional": optional}, **({"default": None} if optional else {"default_factory": kind})
+    )
+
+
+def validate(instance: Any, prefix: str = "") -> None:
     """Check every declared field of a dataclass; raise ParameterError for the first bad one."""
-    for name, low, high, spec in _declared(type(instance)):
+    kind: Any = type(instance)
+    for name, low, high, spec in _declared(kind):
         value = getattr(instance, name)
         if type(value) is float and low <= value <= high:  # what nearly every value is: not NaN, and in range
             continue
-        path = f"{prefix}{name}"
-        if "flag" in spec.metadata:
-            if not isinstance(value, bool):
-                raise ParameterError(path, f"{value!r} is neither true nor false", "true | false")
-        elif "options" in spec.metadata:
-            options = spec.metadata["options"]
-            if value not in options and not (value is None and spec.default is None):
-                raise ParameterError(path, f"{value!r} is not known", " | ".join(options))
-        else:
-            check_number(path, value, low, high, spec.metadata["unit"])
+        if value is None and spec.default is None:
+            continue
+        check_value(f"{prefix}{name}", value, spec.metadata)
+        if spec.metadata["type"] == "integer" and type(value) is not int:  # JSON does not tell 20.0 from 20
+            object.__setattr__(instance, name, int(value))
+
+
+def check_value(path: str, value: Any, metadata: Mapping[str, Any]) -> None:
+    """Raise ParameterError at ``path`` unless ``value`` is what ``metadata`` of a declared field allows."""
+    kind = metadata["type"]
+    if kind == "boolean":
+        if not isinstance(value, bool):
+            raise ParameterError(path, f"{value!r} is neither true nor false", "true | false")
+    elif kind == "choice":
+        if value not in metadata["options"]:
+            raise ParameterError(path, f"{value!r} is not known", " | ".join(metadata["options"]))
+    else:
+        check_number(path, value, metadata["low"], metadata["high"], metadata["unit"], integer=kind == "integer")
 
 
 @cache
-def _declared(kind: type) -> tuple[tuple[str, float, float, dataclasses.Field], ...]:
-    """Name, range and declaration of the fields to check; a field that is no number has an empty range."""
-    return tuple(
-        (spec.name, spec.metadata.get("low", math.inf), spec.metadata.get("high", -math.inf), spec)
-        for spec in dataclasses.fields(kind)
-        if spec.metadata
-    )
+def _declared(kind: Any) -> tuple[tuple[str, float, float, dataclasses.Field], ...]:
+    """Name, range and declaration of the fields to check; the range of all but floats is empty."""
+    found = []
+    for spec in dataclasses.fields(kind):
+        if "type" in spec.metadata:
+            is_float = spec.metadata["type"] == "number"
+            low, high = (spec.metadata["low"], spec.metadata["high"]) if is_float else (math.inf, -math.inf)
+            found.append((spec.name, low, high, spec))
+    return tuple(found)
 
 
-def check_number(path: str, value, low: float, high: float, unit: str = "", integer: bool = False) -> None:
+def check_number(path: str, value: Any, low: float, high: float, unit: str = "", integer: bool = False) -> None:
     """Raise ParameterError unless ``value`` is a finite number in [low, high]."""
     if type(value) is float and low <= value <= high and not integer:
         return  # nearly always; a hundred of them stand in every request
     unit_text = f" {unit}" if unit and unit != "1" else ""
     allowed = f"{low:g} to {high:g}{unit_text}"
-    if isinstance(value, bool) or not isinstance(value, Real):
+    if not is_number(value):
         raise ParameterError(path, f"{value!r} is not a number", allowed)
     if not abs(value) < math.inf:  # not isfinite: an int may be larger than any float
         raise ParameterError(path, f"{value!r} is not finite", allowed)
@@ -99,3 +130,8 @@ def check_number(path: str, value, low: float, high: float, unit: str = "", inte
         raise ParameterError(path, f"{shown} is out of range", allowed)
     if integer and value != int(value):
         raise ParameterError(path, f"{value!r} is not a whole number", allowed)
+
+
+def is_number(value: Any) -> bool:
+    """Whether a value is a real number; true and false are none."""
+    return isinstance(value, Real) and not isinstance(value, bool)

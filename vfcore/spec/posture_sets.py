@@ -1,27 +1,121 @@
-"""The published sets of posturing constants, and how one of their numbers is overridden by name.
+"""The published sets of posturing constants, one literal each, and how one of their numbers is overridden by name.
 
-``serry2026`` (default): the paper's own table for mucosa, ligament and TA, the other muscles as in
-``alzamendi2020``, TA with ε_m = 0.4, b = 1.07, σ_max = 100 kPa. The paper says only that it tuned the
-constants of Alzamendi et al. (2022); which values its posturing uses is known by secondary evidence.
+Geometry (length, section, direction cosines, moment arm, active width) and joints are common to the published sets;
+the stress laws differ. A set may change any of them. Sources: Titze & Hunter (2007), JASA 121(4):2254–2260, and those
+named in each set.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from types import MappingProxyType
+from typing import Any, NamedTuple
 
 from vfcore.errors import ParameterError
 from vfcore.spec.fields import PAPER, check_number, validate
 from vfcore.spec.joints import JointConstants
-from vfcore.spec.muscles import Muscle, muscle
+from vfcore.spec.muscles import Muscle
 
-SOURCES = {
-    "serry2026": f"{PAPER}, table of constitutive parameters; other muscles: Alzamendi et al. (2022)",
-    "alzamendi2020": "Alzamendi et al. (2022), JASA 151(1):17–30 (triangular body-cover model)",
-    "titze2006": "Titze (2006), The Myoelastic Aerodynamic Theory of Phonation",
-    "palaparthi2019": "Palaparthi, Smith & Titze (2019), Appl. Sci. 9(21):4671",
-}
-POSTURE_SETS: tuple[str, ...] = tuple(SOURCES)
+
+class Geometry(NamedTuple):
+    """Where a force acts, and at what strain it is largest; fields as in ``Muscle``."""
+
+    rest_length_m: float
+    cross_section_m2: float
+    strain_at_max_active_stress: float
+    active_width_b: float
+    alpha: float
+    beta: float
+    gamma_m: float
+
+
+class StressLaw(NamedTuple):
+    """Passive and active stress of a force; fields as in ``Muscle``."""
+
+    sigma_0_pa: float
+    sigma_2_pa: float
+    epsilon_1: float
+    epsilon_2: float
+    exponential_B: float
+    sigma_max_active_pa: float
+
+
+# Rows as in Geometry: length, section, ε_m, b, α, β, γ.
+GEOMETRY = {
+    "lca": Geometry(0.0144, 2.12e-5, 0.4, 2.37, -0.198, 0.886, 0.003915),
+    "ia": Geometry(0.0093, 1.22e-5, 0.4, 1.25, -0.697, -0.644, -0.0033),
+    "pca": Geometry(0.015, 3.44e-5, 0.4, 1.86, -0.1, -0.95, -0.00549),
+    "ct": Geometry(0.0138, 7.38e-5, 0.0, 2.4, 0.0, 0.0, 0.0),
+    "ta": Geometry(0.0173, 4.09e-5, 0.2, 1.07, 0.015, 0.99, 0.0008),
+    "lig": Geometry(0.0173, 6.1e-6, 1.0, 1.0, 0.0, 0.0, 0.0),
+    "muc": Geometry(0.0173, 5e-6, 1.0, 1.0, 0.0, 0.0, 0.0),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class PostureSet:
+    """One published set. ``joints``: constants of the joints that differ from the common ones, by name."""
+
+    source: str
+    stresses: Mapping[str, StressLaw]
+    geometry: Mapping[str, Geometry] = field(default_factory=lambda: GEOMETRY)
+    joints: Mapping[str, float] = field(default_factory=dict)
+
+
+# Rows as in StressLaw: σ_0, σ_2, ε_1, ε_2, B, σ_max.
+_ALZAMENDI = {
+    "lca": StressLaw(3000.0, 59000.0, -0.5, -0.06, 4.0, 1e5),
+    "ia": StressLaw(2000.0, 30000.0, -0.5, -0.06, 3.5, 1e5),
+    "pca": StressLaw(5000.0, 55000.0, -0.5, -0.05, 5.3, 1e5),
+    "ct": StressLaw(2200.0, 5000.0, -0.5, 0.0, 7.0, 3e5),
+    "ta": StressLaw(1000.0, 1500.0, -0.5, -0.05, 6.5, 1.5e5),
+    "lig": StressLaw(500.0, 1400.0, -0.5, -0.3, 13.0, 0.0),
+    "muc": StressLaw(500.0, 20000.0, -0.5, -0.3, 4.4, 0.0),
+}  # fmt: skip
+#: The default comes first. ``serry2026``: the paper's own table for mucosa, ligament and TA, the other muscles as in
+#: ``alzamendi2020``. The paper says only that it tuned the constants of Alzamendi et al. (2022); which values its
+#: posturing uses is known by secondary evidence: TA with ε_m = 0.4, b = 1.07, σ_max = 100 kPa, while the table of the
+#: vibrating fold prints ε_m,ta = 0.3 and α_2,ta = 1.
+POSTURE_SETS: Mapping[str, PostureSet] = {
+    "serry2026": PostureSet(
+        source=f"{PAPER}, table of constitutive parameters; other muscles: Alzamendi et al. (2022)",
+        stresses=_ALZAMENDI
+        | {
+            "ta": StressLaw(2000.0, 1000.0, -0.5, -0.05, 9.0, 1e5),
+            "lig": StressLaw(500.0, 1000.0, -0.5, -0.3, 7.0, 0.0),
+            "muc": StressLaw(1000.0, 1000.0, -0.5, -0.3, 6.0, 0.0),
+        },
+        geometry=GEOMETRY | {"ta": GEOMETRY["ta"]._replace(strain_at_max_active_stress=0.4)},
+    ),
+    "alzamendi2020": PostureSet(
+        source="Alzamendi et al. (2022), JASA 151(1):17–30 (triangular body-cover model)",
+        stresses=_ALZAMENDI,
+    ),
+    "titze2006": PostureSet(
+        source="Titze (2006), The Myoelastic Aerodynamic Theory of Phonation",
+        stresses={
+            "lca": StressLaw(3000.0, 59000.0, -0.5, 0.05, 4.0, 1e5),
+            "ia": StressLaw(2000.0, 30000.0, -0.5, 0.0, 3.5, 1e5),
+            "pca": StressLaw(5000.0, 55000.0, -0.5, 0.1, 5.3, 1e5),
+            "ct": StressLaw(2200.0, 5000.0, -0.5, -0.06, 7.0, 9e4),
+            "ta": StressLaw(1000.0, 1500.0, -0.5, -0.05, 6.5, 1.05e5),
+            "lig": StressLaw(1000.0, 1400.0, -0.5, 0.0, 17.0, 0.0),
+            "muc": StressLaw(1000.0, 9000.0, -0.5, -0.35, 4.4, 0.0),
+        },
+    ),
+    "palaparthi2019": PostureSet(
+        source="Palaparthi, Smith & Titze (2019), Appl. Sci. 9(21):4671",
+        stresses={
+            "lca": StressLaw(3000.0, 59000.0, -0.9, 0.05, 4.0, 1.4e5),
+            "ia": StressLaw(2000.0, 30000.0, -0.9, 0.0, 3.5, 1.4e5),
+            "pca": StressLaw(5000.0, 55000.0, -0.9, 0.1, 5.3, 1e5),
+            "ct": StressLaw(2200.0, 5000.0, -0.9, -0.06, 7.0, 4e5),
+            "ta": StressLaw(2000.0, 1500.0, -0.9, -0.5, 6.5, 1.8e5),
+            "lig": StressLaw(2000.0, 150.0, -0.9, -0.5, 12.8, 0.0),
+            "muc": StressLaw(200.0, 1500.0, -0.9, -0.2, 6.5, 0.0),
+        },
+    ),
+}  # fmt: skip
 
 # Field of PosturingConstants -> prefix of its override names.
 _PREFIX = {"lca": "LCA_", "ia": "IA_", "pca": "PCA_", "ct": "CT_", "ta": "TA_", "lig": "lig_", "muc": "muc_"}
@@ -82,7 +176,8 @@ class PosturingConstants(JointConstants):
         """
         if not values:
             return self
-        changes: dict[str | None, dict[str, float]] = {}
+        joints: dict[str, Any] = {}
+        rows: dict[str, dict[str, float]] = {}
         for name, value in values.items():
             if name not in _PLACES:
                 known = "a name such as L_0_posture_m or LCA_rest_length_m"
@@ -90,14 +185,15 @@ class PosturingConstants(JointConstants):
             metadata = CONSTANTS[name]
             check_number(f"constants.{name}", value, metadata["low"], metadata["high"], metadata["unit"])
             key, field_name = _PLACES[name]
-            changes.setdefault(key, {})[field_name] = float(value)
-        joints = changes.pop(None, {})
-        return replace(self, **joints, **{key: replace(getattr(self, key), **row) for key, row in changes.items()})
+            (joints if key is None else rows.setdefault(key, {}))[field_name] = float(value)
+        muscles: dict[str, Any] = {key: replace(getattr(self, key), **row) for key, row in rows.items()}
+        return replace(self, **joints, **muscles)
 
 
-def _register():
+def _register() -> tuple[dict[str, tuple[str | None, str]], Mapping[str, Mapping[str, Any]]]:
     """Flat override name -> (row or None, field), and flat name -> metadata; joints first."""
-    places, metadata = {}, {}
+    places: dict[str, tuple[str | None, str]] = {}
+    metadata: dict[str, Mapping[str, Any]] = {}
     for spec in fields(JointConstants):
         places[spec.name], metadata[spec.name] = (None, spec.name), spec.metadata
     for key, prefix in _PREFIX.items():
@@ -114,7 +210,7 @@ def _register():
 _PLACES, CONSTANTS = _register()
 
 
-def constant_names():
+def constant_names() -> Mapping[str, Mapping[str, Any]]:
     """Read-only mapping of every override name to its metadata (unit, label, low, high, source, symbol)."""
     return CONSTANTS
 
@@ -122,6 +218,9 @@ def constant_names():
 @cache
 def posture_set(name: str) -> PosturingConstants:
     """The published set ``name``; ParameterError("model.posture_set", ...) when unknown."""
-    if name not in SOURCES:
+    if name not in POSTURE_SETS:
         raise ParameterError("model.posture_set", f"{name!r} is not known", " | ".join(POSTURE_SETS))
-    return PosturingConstants(set_name=name, source=SOURCES[name], **{key: muscle(name, key) for key in _PREFIX})
+    chosen = POSTURE_SETS[name]
+    numbers: dict[str, Any] = dict(chosen.joints)
+    numbers |= {key: Muscle(*chosen.geometry[key], *chosen.stresses[key]) for key in _PREFIX}
+    return PosturingConstants(set_name=name, source=chosen.source, **numbers)

@@ -4,18 +4,19 @@ The defaults are the paper's modal case. Names are those of the JSON request, so
 ``Simulation`` and a request document say the same thing field by field.
 """
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from vfcore.errors import ParameterError
-from vfcore.spec.fields import PAPER, check_number, choice, flag, quantity, validate
+from vfcore.spec.fields import PAPER, choice, flag, part, quantity, validate
 from vfcore.spec.fold_constants import FoldConstants
-from vfcore.spec.posture_sets import POSTURE_SETS, PosturingConstants, posture_set
-from vfcore.spec.variants import VARIANTS, ModelVariant
+from vfcore.spec.larynx import Larynx, larynx_of
+from vfcore.spec.posture_sets import POSTURE_SETS, PosturingConstants
+from vfcore.spec.variants import VARIANTS
 
 VOWELS = ("i", "I", "e", "E", "AE", "V", "a", "O", "o", "U", "u")
 SECTION_TRAVEL_S = 0.0025 / 350.0  # one 0.25 cm tract section at the paper's speed of sound
 PAPER_STEP_S = SECTION_TRAVEL_S / 4  # 1.7857e-6 s, the paper's time step
-DEFAULT_STEP_S = SECTION_TRAVEL_S * 5  # 35.71e-6 s: output at 28 kHz, see docs/implementation.md
+DEFAULT_STEP_S = SECTION_TRAVEL_S * 5  # 35.71e-6 s: output at 28 kHz, see docs/model/numerics.md
 
 _MUSCLE = "normalised activation, 0 relaxed to 1 full"
 
@@ -66,6 +67,10 @@ class PostureOverride:
         validate(self, "posture.")
 
 
+GRID_LIMITS = {"nx": (6, 200), "ny": (3, 100)}
+STEP_LIMITS_S = (1e-8, 1e-3)
+_NUMERICS = "numerical choice of this implementation"
+
 COUPLING_GRADIENTS = ("inferior_stiff", "superior_stiff")
 SHEAR_FORMS = ("kelvin_voigt", "rotation")
 COUPLINGS = ("one_way", "two_way")
@@ -80,14 +85,18 @@ class Model:
     None takes the variant's own choice when the value is made, so that no field of a Model is ever None.
     """
 
-    variant: str = choice("paper", "model variant", tuple(VARIANTS), source="docs/model.md")
+    variant: str = choice("paper", "model variant", tuple(VARIANTS), source="docs/model/choices.md")
     posture_set: str = choice(
-        None, "posturing constants", POSTURE_SETS, source="docs/model.md", help="null: the variant's own"
-    )
+        None,
+        "posturing constants",
+        tuple(POSTURE_SETS),
+        source="docs/reference/constants.md",
+        help="null: the variant's own",
+    )  # fmt: skip
     coupling_gradient: str = choice(
-        None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model.md"
+        None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model/choices.md, row 3"
     )
-    shear: str = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model.md")
+    shear: str = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model/choices.md, row 6")
     coupling: str = choice(
         None, "source–tract coupling", COUPLINGS, source=f"{PAPER}, Acoustic output; two_way: Titze (2008)",
         help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds; null: "
@@ -100,19 +109,24 @@ class Model:
             if getattr(self, name) is None:
                 object.__setattr__(self, name, getattr(VARIANTS[self.variant], name))
 
-    def resolved(self) -> ModelVariant:
-        """The choices in force, with overrides applied."""
-        return replace(VARIANTS[self.variant], **{name: getattr(self, name) for name in BROUGHT_BY_VARIANT})
-
 
 @dataclass(frozen=True, slots=True)
 class Run:
     """How the equations are advanced."""
 
     duration_s: float = quantity(1.0, "s", "simulated time", 0.02, 60, source=f"{PAPER}, Simulation setup", step=0.1)
-    nx: int = field(default=20, metadata={})
-    ny: int = field(default=10, metadata={})
-    time_step_s: float | None = None
+    nx: int = quantity(
+        20, "1", "nodes along the fold", *GRID_LIMITS["nx"], whole=True, step=1, symbol="N_x", source=_NUMERICS,
+        help="anterior to posterior, ends included",
+    )  # fmt: skip
+    ny: int = quantity(
+        10, "1", "nodes over the thickness", *GRID_LIMITS["ny"], whole=True, step=1, symbol="N_y", source=_NUMERICS,
+        help="superior to inferior, edges included",
+    )  # fmt: skip
+    time_step_s: float | None = quantity(
+        None, "s", "time step", *STEP_LIMITS_S, symbol="Δt", source=_NUMERICS,
+        help=f"null: chosen for the grid and the posture; the paper's is {PAPER_STEP_S!r}",
+    )  # fmt: skip
     start: str = choice(
         "flat", "initial state", ("flat", "static"), source="an earlier version of the model starts flat",
         help="flat: a 1e-9 m bump; static: the shape at zero pressure",
@@ -123,19 +137,13 @@ class Run:
     )  # fmt: skip
 
     error_estimate: bool = flag(
-        False, "error bars of the measures", source="docs/model.md, section 4",
+        False, "error bars of the measures", source="docs/model/numerics.md",
         help="two more runs on finer grids say how far each measure is from the limit of a fine grid; about 12 times "
         "the work",
     )  # fmt: skip
 
     def __post_init__(self):
         validate(self, "run.")
-        check_number("run.nx", self.nx, *GRID_LIMITS["nx"], "nodes", integer=True)
-        check_number("run.ny", self.ny, *GRID_LIMITS["ny"], "nodes", integer=True)
-        for name in ("nx", "ny"):  # JSON does not tell 20.0 from 20
-            object.__setattr__(self, name, int(getattr(self, name)))
-        if self.time_step_s is not None:
-            check_number("run.time_step_s", self.time_step_s, *STEP_LIMITS_S, "s")
 
     @property
     def step_s(self) -> float:
@@ -143,18 +151,14 @@ class Run:
         return DEFAULT_STEP_S if self.time_step_s is None else float(self.time_step_s)
 
 
-GRID_LIMITS = {"nx": (6, 200), "ny": (3, 100)}
-STEP_LIMITS_S = (1e-8, 1e-3)
-
-
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """One run; every field has the value of the paper's modal case.
+    """One run, with nothing left to a default; every field has the value of the paper's modal case unless given.
 
-    ``constants`` and ``posturing``: None stands for those of the model variant.
+    ``larynx``: None takes that of the model's variant and posturing set when the value is made.
     """
 
-    activation: Activation = field(default_factory=Activation)
+    activation: Activation = part(Activation)
     subglottal_pressure_pa: float = quantity(
         1000.0, "Pa", "lung pressure", 0, 5000, symbol="P_s", source=f"{PAPER}, Simulation setup", step=10,
         help="the steady pressure below the folds",
@@ -165,23 +169,30 @@ class Simulation:
         help="angle between the medial plane and the anterior edge; positive converges towards the mouth",
     )  # fmt: skip
     vowel: str = choice("a", "vowel", VOWELS, source="Story (2008), JASA 123(1):327–335")
-    model: Model = field(default_factory=Model)
-    posture: PostureOverride | None = None
-    run: Run = field(default_factory=Run)
-    constants: FoldConstants | None = None
-    posturing: PosturingConstants | None = None
+    model: Model = part(Model)
+    posture: PostureOverride | None = part(PostureOverride, optional=True)
+    run: Run = part(Run)
+    larynx: Larynx = field(default=None)  # type: ignore[assignment]  # filled in when the value is made
 
     def __post_init__(self):
         validate(self)
-        if self.constants is None:
-            object.__setattr__(self, "constants", self.model.resolved().constants())
-        if self.posturing is None:
-            object.__setattr__(self, "posturing", posture_set(self.model.resolved().posture_set))
+        if self.larynx is None:
+            object.__setattr__(self, "larynx", larynx_of(self.model.variant, self.model.posture_set))
         if self.run.pressure_rise_s > self.run.duration_s:
             raise ParameterError(
                 "run.pressure_rise_s", f"{self.run.pressure_rise_s:g} is longer than the run",
                 f"0 to run.duration_s = {self.run.duration_s:g} s",
             )  # fmt: skip
+
+    @property
+    def constants(self) -> FoldConstants:
+        """Those of the vibrating fold."""
+        return self.larynx.fold
+
+    @property
+    def posturing(self) -> PosturingConstants:
+        """Those of joints and muscles."""
+        return self.larynx.posturing
 
     def with_activation(self, activation: Activation) -> "Simulation":
         """The same with other muscles. What stays was checked when it was made: a voice that moves asks for a hundred

@@ -1,21 +1,21 @@
 """Named variants of the model: which equations, which posturing, and which constants differ from the paper's.
 
-``human`` and ``human_female`` change constants only. The values of ``human`` are those that the calibration study of
-vocalis.studies.norms finds and adopts by its rule (docs/human.md, section 4): twelve of fifteen published norms of men
-met, and no shape or map of the paper worse than its own constants show under the same coupling. ``human_female`` is
+``human`` and ``human_female`` change constants and the coupling only. The values of ``human`` are those that the
+calibration study of vocalis.studies.norms finds and adopts by its rule (docs/human.md, section 4): thirteen of fifteen
+published norms of men met, and no shape or map of the paper worse than its own constants show under the same coupling.
+``human_female`` is
 scaled from it and calibrated against nothing.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
 
 from vfcore.spec.fold_constants import FoldConstants
 
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """One constant that a variant replaces: its name in FoldConstants, the value, and the reason for it."""
+    """One constant of the larynx that a variant replaces: its name, the value, and the reason for it."""
 
     name: str
     value: float
@@ -24,34 +24,22 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class ModelVariant:
-    """The named choices that a variant stands for.
+    """What a variant stands for: a posturing set, equations, and constants of the larynx that differ from the paper's.
 
-    ``changes``: constants that differ from the paper's. ``coupling``: the source–tract coupling it was made for,
-    which a request gets unless it names another. ``airway_scale``: all lengths and diameters of both airways
-    over those of the published male ones.
+    ``coupling``: the source–tract coupling it was made for, which a request gets unless it names another.
     """
 
     posture_set: str
     coupling_gradient: str
     shear: str
+    coupling: str
     help: str
     changes: tuple[Change, ...] = ()
-    coupling: str = "one_way"
-    airway_scale: float = 1.0
 
     @property
     def overrides(self) -> Mapping[str, float]:
         """The changed constants by name."""
         return {change.name: change.value for change in self.changes}
-
-    def constants(self, **overrides: float) -> FoldConstants:
-        """The fold's constants of this variant, some of them replaced. ParameterError for a value out of range."""
-        return FoldConstants(**{**self.overrides, **overrides}) if overrides else _unaltered(self.changes)
-
-
-@cache
-def _unaltered(changes: tuple[Change, ...]) -> FoldConstants:
-    return FoldConstants(**{change.name: change.value for change in changes})
 
 
 _SHEAR = (
@@ -91,7 +79,7 @@ _HUMAN = (
     Change(
         "sigma_2_muc_pa", 1600.0,
         "Its slope at rest length becomes 50 kPa instead of 32; measured in the lamina propria are some 30 kPa at low "
-        "strain and 10 to 15 times that at high strain (Alipour & Vigmostad 2012). The more of f_o hangs on "
+        "strain and 10 to 15 times that at high strain (Alipour & Vigmostad 2012). The more f_o depends on "
         "the length, the more TA, which shortens the folds, lowers it.",
     ),
     Change(
@@ -113,28 +101,29 @@ def _scaled(human: tuple[Change, ...]) -> tuple[Change, ...]:
         Change("A_muc_0_m2", base.A_muc_0_m2 / SIZE_RATIO**2, area),
         Change("A_lig_0_m2", base.A_lig_0_m2 / SIZE_RATIO**2, area),
         Change("A_ta_0_m2", base.A_ta_0_m2 / SIZE_RATIO**2, area),
+        Change("airway_scale", 1.0 / AIRWAY_RATIO, "lengths and diameters over 1.2, Fitch & Giedd (1999)"),
     )
 
 
 VARIANTS = {
     "paper": ModelVariant(
-        "serry2026", "inferior_stiff", "kelvin_voigt",
+        "serry2026", "inferior_stiff", "kelvin_voigt", "one_way",
         "The paper's numbers: Kelvin–Voigt membrane, coupling stiffest at the inferior edge.",
     ),
     "text_literal": ModelVariant(
-        "serry2026", "superior_stiff", "rotation",
+        "serry2026", "superior_stiff", "rotation", "one_way",
         "The paper's text to the letter: rotation equation, coupling stiffest at the superior edge.",
     ),
     "human": ModelVariant(
-        "serry2026", "inferior_stiff", "kelvin_voigt",
+        "serry2026", "inferior_stiff", "kelvin_voigt", "two_way",
         "Adult man: the paper's equations, ten constants set so that flow, pitch and level are of human size; the "
         "paper's shapes and maps stay. Brings coupling two_way.",
-        _HUMAN, "two_way",
+        _HUMAN,
     ),
     "human_female": ModelVariant(
-        "serry2026", "inferior_stiff", "kelvin_voigt",
+        "serry2026", "inferior_stiff", "kelvin_voigt", "two_way",
         "Adult woman, an extrapolation: the human variant with folds and airways scaled by published ratios; "
         "posturing and tissue are a man's, and no measurement was fitted.",
-        _scaled(_HUMAN), "two_way", 1.0 / AIRWAY_RATIO,
+        _scaled(_HUMAN),
     ),
 }  # fmt: skip

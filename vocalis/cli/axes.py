@@ -8,7 +8,7 @@ import numpy as np
 from vfcore.errors import ParameterError
 from vfcore.runs.sweep.document import sweep_from_dict
 from vfcore.runs.sweep.plan import Sweep
-from vfcore.spec.document import simulation_to_dict
+from vfcore.spec.request import document_of
 from vfcore.spec.simulation import Simulation
 from vocalis.cli.options import number_or_text
 from vocalis.cli.requests import read_document
@@ -25,7 +25,7 @@ def sweep_of(
         raise ParameterError("--axis", "is missing" if path is None else "and --sweep are both given", _ALLOWED)
     document: dict[str, Any]
     if path is None:
-        document = {"kind": "sweep", "base": simulation_to_dict(base), "axes": [axis(text) for text in axes]}
+        document = {"kind": "sweep", "base": document_of(base), "axes": [axis(text) for text in axes]}
     elif base != Simulation():
         raise ParameterError("--sweep", "and options of the base are both given", "the base inside the document")
     else:

@@ -6,10 +6,10 @@ from typing import Annotated, Any, NamedTuple
 
 import typer
 
-from vfcore.spec.document import simulation_from_dict
 from vfcore.spec.presets import PRESETS
+from vfcore.spec.request import resolve
 from vfcore.spec.schema import parameter_schema
-from vocalis.cli.requests import request_document
+from vocalis.cli.requests import request_patch
 
 MUSCLES, BREATH, MODEL, RUN, START = "Muscles", "Breath and tract", "Model", "Run", "Where the request comes from"
 
@@ -50,10 +50,10 @@ _PRESET_NAMES = ", ".join(preset.key for preset in PRESETS)
 _SOURCES = ("preset", "request", "set")
 
 
-def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict], Any] = simulation_from_dict) -> Callable:
+def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict[str, Any]], Any] = resolve) -> Callable:
     """Decorator: the command gets ``request``, made from ``options``, --preset, --request and --set.
 
-    ``make`` turns the merged document into what the command takes: a Simulation when left out.
+    ``make`` turns the patch into what the command takes: a Simulation when left out.
     Later beats earlier: preset, request file, single options, --set. ParameterError for what cannot be used.
     """
 
@@ -67,7 +67,7 @@ def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict], Any
         def wrapper(**values):
             sources = [values.pop(name) for name in _SOURCES]
             given = {option.key: values.pop(option.name) for option in options}
-            return command(request=make(_document(*sources, given)), **values)
+            return command(request=make(_patch(*sources, given)), **values)
 
         parameters = [*_option_parameters(options), *_source_parameters(), *own]
         wrapper.__signature__ = inspect.Signature(parameters)
@@ -78,7 +78,7 @@ def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict], Any
     return decorate
 
 
-def _document(
+def _patch(
     preset: str | None, path: str | None, settings: list[str] | None, given: Mapping[str, str | bool | None]
 ) -> dict[str, Any]:
     changes = {
@@ -86,7 +86,7 @@ def _document(
         for key, text in given.items()
         if text is not None
     }
-    return request_document(preset, path, changes, settings or [])
+    return request_patch(preset, path, changes, settings or [])
 
 
 def number_or_text(text: str) -> int | float | str | list:

@@ -1,4 +1,4 @@
-"""A request document from what the command line says: preset, file, single options, --set; later beats earlier."""
+"""A request as a patch from what the command line says: preset, file, single options, --set; later beats earlier."""
 
 import json
 import sys
@@ -7,30 +7,39 @@ from pathlib import Path
 from typing import Any
 
 from vfcore.errors import ParameterError
+from vfcore.spec.paths import OPTIONAL_PARTS
 from vfcore.spec.presets import PRESETS
+from vfcore.spec.request import flat
 
 
-def request_document(
+def request_patch(
     preset: str | None, path: str | None, changes: Mapping[str, Any], settings: Sequence[str]
 ) -> dict[str, Any]:
-    """The merged document, not yet validated.
+    """All sources as one patch, not yet resolved.
 
     ``changes``: values by dotted path. ``settings``: texts PATH=VALUE. ParameterError for an unknown preset, a file
-    that cannot be read, a text without a path.
+    that cannot be read, a text without a path, a field that no request has.
     """
-    document: dict[str, Any] = {}
+    patch: dict[str, Any] = {}
     if preset is not None:
-        document = _merged(document, _preset(preset))
+        patch |= flat(_preset(preset))
     if path is not None:
-        document = _merged(document, read_document("--request", path))
-    for key, value in changes.items():
-        _put(document, key, value)
+        patch = _over(patch, flat(read_document("--request", path)))
+    patch = _over(patch, changes)
     for setting in settings:
         key, separator, text = setting.partition("=")
         if not separator or not key:
             raise ParameterError("--set", f"{setting!r} sets nothing", "PATH=VALUE, such as run.start=static")
-        _put(document, key, _value(text))
-    return document
+        patch = _over(patch, flat({key: _value(text)}))
+    return patch
+
+
+def _over(patch: dict[str, Any], later: Mapping[str, Any]) -> dict[str, Any]:
+    """A patch with a later one laid over it; a part that one of them sets to null is not kept by the other."""
+    gone = {path for path in later if later[path] is None and path in OPTIONAL_PARTS}
+    back = {path.partition(".")[0] for path in later}
+    kept = {key: value for key, value in patch.items() if key.partition(".")[0] not in gone and key not in back}
+    return kept | dict(later)
 
 
 def _preset(name: str) -> dict[str, Any]:
@@ -63,27 +72,3 @@ def _value(text: str) -> Any:
         return json.loads(text)
     except (ValueError, RecursionError):
         return text
-
-
-def _merged(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:
-    merged = dict(base)
-    for key, value in over.items():
-        both = isinstance(value, Mapping) and isinstance(merged.get(key), Mapping)
-        merged[key] = _merged(merged[key], value) if both else _copied(value)
-    return merged
-
-
-def _copied(value: Any) -> Any:
-    return _merged({}, value) if isinstance(value, Mapping) else value
-
-
-def _put(document: dict[str, Any], key: str, value: Any) -> None:
-    *parents, last = key.split(".")
-    at = document
-    for name in parents:
-        if at.get(name) is None:
-            at[name] = {}
-        at = at[name]
-        if not isinstance(at, dict):
-            raise ParameterError(key, f"{name} is {at!r}, which has no fields", "the path of a field of the request")
-    at[last] = value

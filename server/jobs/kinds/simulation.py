@@ -10,8 +10,8 @@ from vfcore.io.csv import csv_text
 from vfcore.io.result_document import result_document
 from vfcore.io.stored import load_result, save_result
 from vfcore.runs.result import ARRAYS, SimulationResult
-from vfcore.spec.address import address, canonical
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.address import address
+from vfcore.spec.request import document_of, resolve
 from vfcore.spec.simulation import Simulation
 from vocalis.server.encoding import float32_bytes
 from vocalis.server.jobs.computations import run_simulation
@@ -61,10 +61,10 @@ class SimulationKind(SingleKind[Simulation, SimulationResult]):
         return simulation_of(body)
 
     def parse(self, document: dict[str, Any]) -> Simulation:
-        return simulation_from_dict(document)
+        return resolve(document)
 
     def canonical(self, wanted: Simulation) -> dict[str, Any]:
-        return canonical(wanted)
+        return document_of(wanted)
 
     def address(self, wanted: Simulation) -> str:
         return address(wanted)
@@ -78,7 +78,7 @@ class SimulationKind(SingleKind[Simulation, SimulationResult]):
             return None
         made = result.provenance.created
         return Job(
-            content, "", self.name, canonical(result.request), content, content, made,
+            content, "", self.name, document_of(result.request), content, content, made,
             status=Status.SUCCESSFUL, progress=1.0, n_done=1, started=made, finished=made,
         )  # fmt: skip
 

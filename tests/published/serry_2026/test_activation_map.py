@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import vfcore
-from vfcore.spec.posture_sets import posture_set
+from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import Activation, Simulation
 
 LEVELS = np.linspace(0, 1, 6)
@@ -16,10 +16,10 @@ LEVELS = np.linspace(0, 1, 6)
 
 def net(cts, tas, **overrides):
     """Reports at every (CT, TA)."""
-    posturing = posture_set("serry2026").override_all(overrides)
+    larynx = PAPER_LARYNX.override(overrides)
     return [
         [
-            vfcore.simulate(Simulation(Activation(lca=0.6, ia=0.6, pca=0.0, ct=ct, ta=ta), posturing=posturing)).report
+            vfcore.simulate(Simulation(Activation(lca=0.6, ia=0.6, pca=0.0, ct=ct, ta=ta), larynx=larynx)).report
             for ta in tas
         ]
         for ct in cts

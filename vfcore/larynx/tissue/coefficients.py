@@ -11,7 +11,7 @@ The paper, "Model development", with its symbols. Index muc, lig, ta; subscript 
     M̄_c = λ Σ (r_c − r_i) A_i σ̄_i(ε̄),  r_c = r_lig           prestress moment, N·m
     ρ_l = Σ ρ_i A_i
 
-α_lig and α_ta are the text's form, 1/(2(1 + ratio)); see docs/model.md.
+α_lig and α_ta are the text's form, 1/(2(1 + ratio)); see docs/model/choices.md, row 4.
 """
 
 from dataclasses import dataclass

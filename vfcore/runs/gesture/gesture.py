@@ -6,18 +6,18 @@ the run itself (duration, grid, step), which the march fixes before it starts. T
 """
 
 from collections.abc import Mapping
-from copy import deepcopy
 from dataclasses import dataclass, replace
 from typing import Any
 
 from vfcore.errors import ParameterError
 from vfcore.runs.gesture.track import Track, track_from_pairs
-from vfcore.spec.address import computation, content_hash
-from vfcore.spec.document import numeric_paths, simulation_from_dict, simulation_to_dict
-from vfcore.spec.document import with_numbers as changed
+from vfcore.spec.address import computation
+from vfcore.spec.paths import DECLARATIONS, NUMBERS, OPTIONAL_PARTS
+from vfcore.spec.request import document_of, flat, nested, patched, resolve
 from vfcore.spec.simulation import VOWELS, Simulation
 
-MOVABLE = tuple(path for path in numeric_paths() if not path.startswith("run."))
+#: Numbers that may move in time: all but those of the run, which the march fixes before it starts.
+MOVABLE = tuple(path for path in NUMBERS if not path.startswith("run."))
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,13 +42,13 @@ class Gesture:
             seen.add(track.path)
             for k, value in enumerate(track.values):
                 try:
-                    with_number(self.start, track.path, value)
+                    moved(self.start, {track.path: value})
                 except ParameterError as error:
                     raise ParameterError(f"{track.path}.{k}.1", error.message, error.allowed) from error
 
     def at(self, time_s: float) -> Simulation:
         """The request as it stands at a time."""
-        now = with_numbers(self.start, {track.path: track.at(time_s) for track in self.tracks})
+        now = moved(self.start, {track.path: track.at(time_s) for track in self.tracks})
         vowel = next((vowel for begin, vowel in reversed(self.vowels) if begin <= time_s), now.vowel)
         return now if vowel == now.vowel else replace(now, vowel=vowel)
 
@@ -62,24 +62,20 @@ class Gesture:
 
 def gesture_from_dict(document: Mapping[str, Any]) -> Gesture:
     """A request document with breakpoint lists; ParameterError for the first field that cannot be used."""
-    plain = deepcopy(dict(document))
+    patch = flat(document)
     tracks = []
-    for path in numeric_paths():
-        *parents, key = path.split(".")
-        place = plain
-        for parent in parents:
-            place = place.get(parent) if isinstance(place, dict) else None
-        if not isinstance(place, dict) or not isinstance(place.get(key), list):
+    for path, value in patch.items():
+        if not isinstance(value, list) or not DECLARATIONS[path].is_number:
             continue
         if path not in MOVABLE:
             raise ParameterError(path, "cannot move in time", "one number: the march fixes it before it starts")
-        track = track_from_pairs(path, place[key])
-        place[key] = track.at(0.0)
+        track = track_from_pairs(path, value)
+        patch[path] = track.at(0.0)
         tracks.append(track)
-    vowels = _vowels(plain.get("vowel"))
+    vowels = _vowels(patch.get("vowel"))
     if vowels:
-        plain["vowel"] = vowels[0][1]
-    return Gesture(simulation_from_dict(plain), tuple(tracks), vowels)
+        patch["vowel"] = vowels[0][1]
+    return Gesture(resolve(patch), tuple(tracks), vowels)
 
 
 def _vowels(value: Any) -> tuple[tuple[float, str], ...]:
@@ -98,38 +94,23 @@ def _is_pair(value: Any) -> bool:
 
 def gesture_to_dict(gesture: Gesture) -> dict[str, Any]:
     """The complete request document, breakpoints in the place of the numbers that move."""
-    document = simulation_to_dict(gesture.start)
-    for track in gesture.tracks:
-        *parents, key = track.path.split(".")
-        place = document
-        for parent in parents:
-            place = place[parent]
-        place[key] = track.pairs()
+    moving: dict[str, Any] = {track.path: track.pairs() for track in gesture.tracks}
     if gesture.vowels:
-        document["vowel"] = [[time, vowel] for time, vowel in gesture.vowels]
-    return document
+        moving["vowel"] = [[time, vowel] for time, vowel in gesture.vowels]
+    document = document_of(gesture.start)
+    return document | nested(flat(document) | moving)
 
 
 def gesture_address(gesture: Gesture) -> str:
-    """Where a rendered gesture is kept: of what it computes, as for a simulation."""
-    return content_hash(
-        {
-            "kind": "gesture",
-            "start": computation(gesture.start),
-            "tracks": {track.path: track.pairs() for track in gesture.tracks},
-            "vowels": gesture.vowels,
-        }
-    )
+    """Where a rendered gesture is kept: by what it computes, as for a simulation."""
+    return computation(gesture.start).address({track.path: track.pairs() for track in gesture.tracks}, gesture.vowels)
 
 
-def with_number(request: Simulation, path: str, value: float) -> Simulation:
-    """The request with one number (a path of MOVABLE) replaced; ParameterError when it is out of range."""
-    return with_numbers(request, {path: value})
-
-
-def with_numbers(request: Simulation, values: Mapping[str, float]) -> Simulation:
-    """The same with several numbers at once; a posture that is not given does not move."""
+def moved(request: Simulation, values: Mapping[str, float]) -> Simulation:
+    """The request with numbers at paths of MOVABLE replaced; ParameterError where one is out of range, or moves a part
+    that is not given."""
     for path in values:
-        if path.startswith("posture.") and request.posture is None:
-            raise ParameterError(path, "moves a posture that is not given", "a request with a posture of its own")
-    return changed(request, values)
+        part = DECLARATIONS[path].part
+        if part in OPTIONAL_PARTS and getattr(request, part) is None:
+            raise ParameterError(path, f"moves a {part} that is not given", f"a request with a {part} of its own")
+    return patched(request, values)

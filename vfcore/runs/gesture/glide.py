@@ -4,7 +4,8 @@ The fold's equations hold at fixed material points: node (i, j) stays at x/L = i
 the layers' depths change. The layers are incompressible, so the mass that belongs to a node does not change (ρ_s dx dy
 and ρ_l dx are constant in λ), and m ẅ = F needs no further term: displacement and velocity are carried over as they
 are, and every coefficient takes its present value. Left out, with their size in the fastest glide that is allowed
-(docs/model.md): the inertia of the frame that turns with θ_g, and the speed of the medial plane in the contact damper.
+(docs/model/equations.md): the inertia of the frame that turns with θ_g, and the speed of the medial plane in the
+contact damper.
 
 Between the folds at both ends of a block every fixed number of the buffer moves along a straight line, in stretches of
 STRETCH_STEPS; the middle of each is used, so the error is second order in it.
@@ -136,7 +137,7 @@ class GlidingFold:
         if request.constants is not self._constants or request.model is not self._model:
             self._constants, self._model = request.constants, request.model
             self._packed = packed(request.constants)
-            self._inferior_stiff = request.model.resolved().coupling_gradient == "inferior_stiff"
+            self._inferior_stiff = request.model.coupling_gradient == "inferior_stiff"
         at = (posture.strain, request.activation.ta, posture.glottal_half_angle_rad, rest_angle)
         longest_s = self._fill(
             *map(float, (*at, request.convergence_angle_rad)), self._inferior_stiff, self.time_step_s,

@@ -122,4 +122,8 @@ def _segments(gesture: Gesture, waves: dict[str, np.ndarray], states: list[State
         cut = {name: wave[part] for name, wave in waves.items()}
         signals = signals_of(gesture.at(end_s), state.posture, state.fold, cut, DEFAULT_STEP_S)
         sound = Sound(cut["radiated_pressure_pa"], cut["far_pressure_pa"])
-        yield Segment(start_s, end_s, measure_all(signals, radiate=lambda sound=sound: sound))
+        yield Segment(start_s, end_s, measure_all(signals, radiate=partial(_known, sound)))
+
+
+def _known(sound: Sound) -> Sound:
+    return sound

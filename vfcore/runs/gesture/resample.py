@@ -18,7 +18,7 @@ class Resampler:
         self._up, self._down = ratio.numerator, ratio.denominator
         if block * self._up % self._down:
             raise ParameterError("block", f"{block} samples make no whole number at {AUDIO_RATE_HZ} Hz", "280")
-        taps = low_pass(self._up, float(min(1, ratio))) * self._up
+        taps = low_pass(self._up, min(1.0, float(ratio))) * self._up
         reach = -(-len(taps) // self._up)
         padded = np.zeros(reach * self._up)
         padded[: len(taps)] = taps

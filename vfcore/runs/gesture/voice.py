@@ -115,7 +115,7 @@ class Voice:
 
 def _same_tract(a: Simulation, b: Simulation) -> bool:
     """Whether the air above the glottis is surely the same."""
-    return a is b or (a.vowel == b.vowel and a.constants is b.constants and a.model is b.model)
+    return a is b or (a.vowel == b.vowel and a.larynx is b.larynx)
 
 
 def _same_fold(a: Simulation, b: Simulation) -> bool:

@@ -6,10 +6,9 @@ from typing import Any
 from vfcore.errors import ParameterError
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.many import PRECISIONS
-from vfcore.runs.sweep.paths import check_path, check_value
 from vfcore.runs.sweep.plan import Axis, Sweep
-from vfcore.spec.address import canonical
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.paths import number_of, value_for
+from vfcore.spec.request import document_of, flat, resolve
 from vfcore.spec.simulation import Simulation
 
 MOST_AXES = 3
@@ -58,7 +57,7 @@ def sweep_from_dict(document: Mapping[str, Any]) -> Sweep:
 
 def sweep_to_dict(sweep: Sweep) -> dict[str, Any]:
     """The complete, canonical sweep document: equal sweeps are equal documents."""
-    document: dict[str, Any] = {"kind": "sweep", "base": canonical(sweep.base)}
+    document: dict[str, Any] = {"kind": "sweep", "base": document_of(sweep.base)}
     if sweep.axes:
         document["axes"] = [
             {"parameter": _one_or_many(axis.parameters), "values": list(axis.values)} for axis in sweep.axes
@@ -75,7 +74,7 @@ def _one_or_many(paths: tuple[str, ...]) -> str | list[str]:
 
 def _base(document: Any) -> Simulation:
     try:
-        base = simulation_from_dict(document)
+        base = resolve(document)
     except ParameterError as error:
         path = "base" if error.path == "request" else f"base.{error.path}"
         raise ParameterError(path, error.message, error.allowed) from error
@@ -117,38 +116,28 @@ def _axis(entry: Any, at: str) -> Axis:
     tied = given if isinstance(given, list | tuple) else [given]
     names = _list(tied, f"{at}.parameter", "a path, or a list of paths that take the same values")
     places = [f"{at}.parameter" + (f".{k}" if tied is given else "") for k in range(len(names))]
-    paths = tuple(check_path(name, place) for name, place in zip(names, places, strict=True))
+    paths = tuple(number_of(name, place) for name, place in zip(names, places, strict=True))
     values = _list(entry["values"], f"{at}.values", "a list of numbers")
-    checked = tuple(check_value(paths[0], value, f"{at}.values.{k}") for k, value in enumerate(values))
+    checked = tuple(value_for(paths[0], value, f"{at}.values.{k}") for k, value in enumerate(values))
     for path in paths[1:]:
         for k, value in enumerate(values):
-            check_value(path, value, f"{at}.values.{k}")
+            value_for(path, value, f"{at}.values.{k}")
     return Axis(paths, checked)
 
 
 def _points(entries: Any) -> tuple[dict[str, float], ...]:
-    points = []
-    for k, entry in enumerate(_list(entries, "points", "a list of objects with numbers by path")):
-        if not isinstance(entry, Mapping):
-            raise ParameterError(f"points.{k}", f"{type(entry).__name__} is not an object", "numbers by dotted path")
-        flat = dict(_flat(entry, ""))
-        points.append(
-            {
-                check_path(path, f"points.{k}.{path}"): check_value(path, value, f"points.{k}.{path}")
-                for path, value in flat.items()
-            }
-        )
-    return tuple(points)
+    entries = _list(entries, "points", "a list of objects with numbers by path")
+    return tuple(_point(entry, f"points.{k}") for k, entry in enumerate(entries))
 
 
-def _flat(entry: Mapping[str, Any], prefix: str):
-    """``{"activation": {"ct": 1}}`` and ``{"activation.ct": 1}`` say the same."""
-    for key, value in entry.items():
-        path = f"{prefix}{key}"
-        if isinstance(value, Mapping):
-            yield from _flat(value, f"{path}.")
-        else:
-            yield path, value
+def _point(entry: Any, at: str) -> dict[str, float]:
+    """``{"activation": {"ct": 1}}`` and ``{"activation.ct": 1}`` mean the same."""
+    try:
+        patch = flat(entry, at)
+    except ParameterError as error:
+        path = error.path if error.path == at else f"{at}.{error.path}"
+        raise ParameterError(path, error.message, error.allowed) from error
+    return {number_of(path, f"{at}.{path}"): value_for(path, value, f"{at}.{path}") for path, value in patch.items()}
 
 
 def _measures(keys: Any) -> tuple[str, ...] | None:

@@ -17,9 +17,9 @@ from vfcore.io.atomic import replacing, write_bytes
 from vfcore.io.hdf5 import Variable, write_variables
 from vfcore.io.result_document import json_text
 from vfcore.runs.sweep.document import sweep_to_dict
-from vfcore.runs.sweep.paths import numbers
 from vfcore.runs.sweep.table import SweepTable
 from vfcore.spec.fields import PAPER
+from vfcore.spec.paths import DECLARATIONS
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 STATE, PROBLEM, POINT = "phonation_state", "problem", "point"
@@ -47,7 +47,7 @@ def variables(table: SweepTable) -> dict[str, Variable]:
         about = {"units": axis.unit, "long_name": axis.label, "parameters": json_text(list(axis.parameters))}
         found[axis.name] = Variable((axis.name,), np.array(axis.values, dtype=float), about)
     for path in () if sweep.axes else sorted({path for point in sweep.points for path in point}):
-        row = numbers()[path]
+        row = DECLARATIONS[path].metadata
         values = np.array([point.get(path, np.nan) for point in sweep.points])
         found[path.replace(".", "_")] = Variable(dims, values, {"units": row["unit"], "long_name": row["label"]})
     about = {"long_name": "phonation state; pending: not computed yet, failed: see problem"}
@@ -96,7 +96,7 @@ def csv_lines(table: SweepTable) -> Iterator[str]:
     paths = list(dict.fromkeys(path for axis in sweep.axes for path in axis.parameters)) or sorted(
         {path for point in sweep.points for path in point}
     )
-    heads = [f"{path} [{numbers()[path]['unit']}]" for path in paths]
+    heads = [f"{path} [{DECLARATIONS[path].metadata['unit']}]" for path in paths]
     scalars = [f"{key} [{quantity.unit}]" for key, quantity in table.columns.items()]
     states = table.states().ravel()
     yield _line([*heads, STATE, *scalars, PROBLEM])

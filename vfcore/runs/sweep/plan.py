@@ -4,14 +4,13 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.runs.sweep.paths import computation_with_numbers, numbers
-from vfcore.spec.address import computation, computation_address, content_hash
-from vfcore.spec.document import with_numbers
+from vfcore.spec.address import Computation, computation, content_hash
+from vfcore.spec.paths import DECLARATIONS
+from vfcore.spec.request import patched
 from vfcore.spec.simulation import Simulation
 
 
@@ -29,11 +28,11 @@ class Axis:
 
     @property
     def unit(self) -> str:
-        return numbers()[self.parameters[0]]["unit"]
+        return DECLARATIONS[self.parameters[0]].metadata["unit"]
 
     @property
     def label(self) -> str:
-        return " and ".join(numbers()[path]["label"] for path in self.parameters)
+        return " and ".join(DECLARATIONS[path].metadata["label"] for path in self.parameters)
 
 
 @dataclass(frozen=True)
@@ -71,7 +70,7 @@ class Sweep:
 
     def request(self, position: int) -> Simulation:
         """The simulation of one point; ParameterError where its numbers do not go together."""
-        return with_numbers(self.base, self.numbers(position))
+        return patched(self.base, self.numbers(position))
 
     def part(self, positions: Iterable[int]) -> "Sweep":
         """The points at these positions alone, as a list: what a worker is sent."""
@@ -81,20 +80,20 @@ class Sweep:
         """All of them, one at a time."""
         return (self.request(position) for position in range(len(self)))
 
-    def computation(self, position: int) -> dict[str, Any]:
-        """``vfcore.spec.address.computation`` of one point, without building its request."""
-        return computation_with_numbers(self._base_computation, self.numbers(position))
+    def computation(self, position: int) -> Computation:
+        """The computation of one point, without building its request."""
+        return self._base_computation.with_numbers(self.numbers(position))
 
     def address(self, position: int) -> str:
         """Where the scalars of one point are stored: shared by every sweep that wants the same ones of it."""
-        return computation_address(self.computation(position), self.precision, self._columns)
+        return self.computation(position).address(self.precision, self._columns)
 
     @property
     def content(self) -> str:
         """The address of the whole sweep."""
         asked = {
             "kind": "sweep",
-            "base": self._base_computation,
+            "base": self._base_computation.address(),
             "axes": [[axis.parameters, axis.values] for axis in self.axes],
             "points": self.points,
             "columns": self._columns,
@@ -104,7 +103,7 @@ class Sweep:
         return content_hash(asked)
 
     @cached_property
-    def _base_computation(self) -> dict[str, Any]:
+    def _base_computation(self) -> Computation:
         return computation(self.base)
 
     @cached_property

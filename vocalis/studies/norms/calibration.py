@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 from scipy.stats import spearmanr
 
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Simulation
 from vfcore.spec.variants import VARIANTS
 from vocalis.studies.norms import efforts
@@ -126,7 +126,7 @@ def best_of(points: np.ndarray, tried: Sequence[Tried], count: int) -> list[Valu
 
 
 def _paper(way: str) -> Simulation:
-    return simulation_from_dict({"model": {"coupling": way}})
+    return resolve({"model": {"coupling": way}})
 
 
 def _verdicts(base: Simulation, pool: ProcessPoolExecutor) -> Verdicts:

@@ -17,7 +17,7 @@ from vfcore.fold.march import March
 from vfcore.fold.stability import time_step_s
 from vfcore.runs.one import prepare, simulate
 from vfcore.runs.result import SimulationResult
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
 from vocalis.studies.norms.efforts import POSTURE
 
@@ -51,7 +51,7 @@ def pairs() -> list[Pair]:
 
 def _voice(variant: str, pressure_pa: float, vowel: str, coupling: str) -> SimulationResult:
     model = {"variant": variant, "coupling": coupling}
-    return simulate(simulation_from_dict({"model": model, "vowel": vowel, "subglottal_pressure_pa": pressure_pa}))
+    return simulate(resolve({"model": model, "vowel": vowel, "subglottal_pressure_pa": pressure_pa}))
 
 
 def effects(result: SimulationResult) -> dict[str, Any]:
@@ -70,7 +70,7 @@ def effects(result: SimulationResult) -> dict[str, Any]:
 
 def fo_over_f1(pressure_pa: float = 800.0) -> list[dict[str, float]]:
     """f_o of the human voice in the posture of the norms, under uniform tubes of falling F1."""
-    base = simulation_from_dict(
+    base = resolve(
         {"model": {"variant": "human", "coupling": "two_way"}, "activation": asdict(POSTURE)}
     )  # fmt: skip
     fold = prepare(base).fold
@@ -106,7 +106,7 @@ def random_voices(variant: str, count: int = RANDOM_VOICES) -> list[Simulation]:
         muscles = dict(zip(("ta", "ct", "lca", "ia", "pca"), rng.uniform(0, 1, 5).tolist(), strict=True))
         muscles["pca"] *= 0.5 * rng.uniform() ** 2  # most postures adducted: open ones do not vibrate
         requests.append(
-            simulation_from_dict(
+            resolve(
                 {
                     "model": {"variant": variant, "coupling": "two_way"},
                     "activation": muscles,

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from scipy.stats import qmc
 
-from vfcore.spec.document import simulation_from_dict
 from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Simulation
 
 _PAPER = FoldConstants()
@@ -93,7 +93,7 @@ def request_of(constants: Mapping[str, float], activation: Mapping[str, float]) 
     document: dict[str, Any] = {
         "model": {"coupling": "two_way"}, "activation": dict(activation), "constants": dict(constants),
     }  # fmt: skip
-    return simulation_from_dict(document)
+    return resolve(document)
 
 
 def sample(count: int, seed: int) -> np.ndarray:

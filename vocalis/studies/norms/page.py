@@ -1,14 +1,13 @@
-"""The tables of docs/human.md from the shipped documents."""
+"""The tables of docs/human.md and of the notebook's entry on the calibration, from the shipped documents."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.spec.larynx import CONSTANTS, PAPER_LARYNX
 from vfcore.spec.variants import VARIANTS
 from vocalis.studies.norms.report import calibration_rows, markdown, rows, summary
 from vocalis.studies.paper.claims.registry import CLAIMS
 
-_PAPER = FoldConstants()
 _DASH = "–"
 
 
@@ -19,10 +18,7 @@ def tables(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, str]:
         "norms": markdown(*rows(norms)),
         "in range": "\n".join(f"- {sentence}" for sentence in summary(norms)),
         "human constants": _constants("human"),
-        "human_female constants": _constants("human_female"),
-        "calibration": markdown(*calibration_rows(documents["calibration"])),
-        "calibration front": markdown(*calibration_rows(documents["calibration"], "front")),
-        "calibration effects": _effects(documents["calibration"]),
+        "human_female constants": _constants("human_female", besides="human"),
         "claims": _claims(claims),
         "claims missed": _missed(claims),
         "fo over TA": _fo_over_ta(claims),
@@ -33,18 +29,29 @@ def tables(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, str]:
     }
 
 
+def calibration_tables(study: Mapping[str, Any]) -> dict[str, str]:
+    """The generated tables of the calibration study by the name of their marks."""
+    return {
+        "calibration": markdown(*calibration_rows(study)),
+        "calibration front": markdown(*calibration_rows(study, "front")),
+        "calibration effects": _effects(study),
+    }
+
+
 def _table(header: Sequence[str], lines) -> str:
     return markdown(tuple(header), [tuple(map(str, line)) for line in lines])
 
 
-def _constants(variant: str) -> str:
-    fields = FoldConstants.__dataclass_fields__
+def _constants(variant: str, besides: str | None = None) -> str:
+    """What a variant changes in the paper's larynx; ``besides`` another variant, only the rows that differ."""
+    meta = {name: constant.metadata for name, constant in CONSTANTS.items()}
+    known = VARIANTS[besides].changes if besides else ()
     return _table(
         ("constant", "name", "the paper", variant, "unit", "why"),
         (
-            (fields[c.name].metadata["symbol"], f"`{c.name}`", f"{getattr(_PAPER, c.name):.4g}", f"{c.value:.4g}",
-             fields[c.name].metadata["unit"], c.why)
-            for c in VARIANTS[variant].changes
+            (meta[c.name]["symbol"], f"`{c.name}`", f"{PAPER_LARYNX.value(c.name):.4g}", f"{c.value:.4g}",
+             meta[c.name]["unit"], c.why)
+            for c in VARIANTS[variant].changes if c not in known
         ),
     )  # fmt: skip
 

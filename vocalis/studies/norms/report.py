@@ -46,7 +46,7 @@ def summary(document: Mapping[str, Any]) -> list[str]:
 
 
 def markdown(header: tuple[str, ...], lines: list[tuple[str, ...]]) -> str:
-    """A table for docs/model.md."""
+    """A table for docs/human.md."""
     table = [header, ("---",) * len(header), *lines]
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in table)
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from vfcore.errors import VocalisError
 from vfcore.runs.one import simulate
-from vfcore.spec.document import simulation_from_dict, simulation_to_dict
+from vfcore.spec.request import document_of, resolve
 from vfcore.spec.simulation import Simulation
 from vfcore.spec.variants import VARIANTS
 from vocalis.studies.norms.efforts import POSTURE, requests
@@ -53,7 +53,7 @@ def score_variant(
 ) -> dict[str, Any]:
     """Run and judge one variant; ``coupling`` None: the one it is meant with."""
     choice = {"variant": variant, "coupling": coupling or VARIANTS[variant].coupling}
-    base = simulation_from_dict({"model": choice, "activation": asdict(POSTURE)})
+    base = resolve({"model": choice, "activation": asdict(POSTURE)})
     return score_base(base, pool, progress)
 
 
@@ -68,7 +68,7 @@ def score_base(
         runs[name] = found
         progress(len(runs), len(wanted))
     return {
-        "request": simulation_to_dict(wanted["normal"]),
+        "request": document_of(wanted["normal"]),
         "states": {name: found.state for name, found in runs.items() if not name.startswith("threshold")},
         **judged(runs),
     }

@@ -1,4 +1,5 @@
-"""The shipped results and the tables of docs/human.md, in a source tree (an installed package has no docs/).
+"""The shipped results and the tables of docs/human.md and of the notebook, in a source tree (an installed package has
+no docs/).
 
 `python -m vocalis.studies.norms.ship` runs norms, claims and coupling anew and writes all (two or three minutes), with
 `--study` also the calibration (half an hour on two cores more); with `--text` it writes the tables alone, from the
@@ -15,10 +16,10 @@ from typing import Any
 
 from vfcore.io.atomic import write_bytes
 from vfcore.io.result_document import json_text
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 from vocalis.studies.norms.calibration import study_document
 from vocalis.studies.norms.coupling import effects, fo_over_f1, pairs, robustness
-from vocalis.studies.norms.page import tables
+from vocalis.studies.norms.page import calibration_tables, tables
 from vocalis.studies.norms.picture import picture
 from vocalis.studies.norms.score import norms_document, score_variant
 from vocalis.studies.paper.report.text import filled
@@ -30,6 +31,7 @@ from vocalis.studies.paper.study.designed import PHYSICS
 RESULTS = Path(__file__).parent / "results"
 ROOT = Path(__file__).parents[3]
 PAGE, PICTURE = ROOT / "docs" / "human.md", ROOT / "docs" / "img" / "coupling.svg"
+CALIBRATION = ROOT / "docs" / "notebook" / "2026-11-calibration.md"
 COLUMNS = (("human", "two_way"), ("paper", "one_way"), ("paper", "two_way"), ("human_female", "two_way"))
 CLAIMED = (("paper", "one_way"), ("paper", "two_way"), ("human", "two_way"))
 
@@ -43,7 +45,7 @@ def claims(pool: ProcessPoolExecutor) -> dict[str, Any]:
     """The paper's claims but its cost, on the variants with each coupling."""
     columns = {}
     for variant, way in CLAIMED:
-        base = simulation_from_dict({"model": {"variant": variant, "coupling": way}})
+        base = resolve({"model": {"variant": variant, "coupling": way}})
         warm_up(base)
         found = gather(cases_for(base, PHYSICS), pool).evidence
         outcomes = judge(found, PHYSICS)
@@ -91,10 +93,16 @@ def shipped(name: str) -> dict[str, Any]:
     return json.loads((RESULTS / f"{name}.json").read_text(encoding="utf-8"))
 
 
-def write_page() -> None:
-    """The tables of docs/human.md from the shipped documents."""
-    page = PAGE.read_text(encoding="utf-8")
-    write_bytes(PAGE, filled(page, tables({name: shipped(name) for name in MADE})).encode())
+def pages() -> dict[Path, dict[str, str]]:
+    """The tables of each page by the names of their marks, from the shipped documents."""
+    documents = {name: shipped(name) for name in MADE}
+    return {PAGE: tables(documents), CALIBRATION: calibration_tables(documents["calibration"])}
+
+
+def write_pages() -> None:
+    """The tables of both pages, from the shipped documents."""
+    for path, by_name in pages().items():
+        write_bytes(path, filled(path.read_text(encoding="utf-8"), by_name).encode())
 
 
 def _write(name: str, document: Mapping[str, Any]) -> None:
@@ -108,4 +116,4 @@ if __name__ == "__main__":
         with workers(os.cpu_count() or 1) as workforce:
             for name in wanted:
                 _write(name, MADE[name](workforce))
-    write_page()
+    write_pages()

@@ -9,7 +9,6 @@ from vfcore.runs.result import SimulationResult
 from vfcore.runs.sweep.cost import Portions
 from vfcore.runs.sweep.plan import Sweep
 from vfcore.runs.sweep.row import Row, columns, failed_row
-from vfcore.spec.address import computation_address
 from vocalis.server.jobs.kinds.sweep.point_event import MOST_IN_EVENTS, point_document
 from vocalis.server.jobs.kinds.sweep.task import SweepTask
 from vocalis.server.jobs.model import Job
@@ -100,7 +99,7 @@ class SweepWork(Work):
     def keep_results(self, task: SweepTask, results: dict[int, SimulationResult]) -> None:
         """Store whole results of points, by their place in the task, at the address of the same single run."""
         for place, result in results.items():
-            self._results.store(computation_address(self.sweep.computation(task.positions[place])), result)
+            self._results.store(self.sweep.computation(task.positions[place]).address(), result)
 
     def close_task(self, task: SweepTask) -> None:
         """Other sweeps may compute the points of a task again."""

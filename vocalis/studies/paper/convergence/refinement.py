@@ -1,7 +1,7 @@
 """How far the paper's grid is from a fine one: three cases on three grids with three time steps each.
 
 The paper says only that "preliminary" studies were made. Run it with `vocalis paper --convergence`; the answer is a
-table in docs/model.md.
+tables in docs/model/numerics.md.
 """
 
 from collections.abc import Callable, Iterator

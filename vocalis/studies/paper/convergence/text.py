@@ -13,7 +13,7 @@ _COLUMNS = {
 
 
 def convergence_tables(document: Mapping[str, Any]) -> dict[str, str]:
-    """The tables of docs/model.md by the names of their marks."""
+    """The tables of docs/model/numerics.md and, of the shear, docs/model/choices.md by the names of their marks."""
     return {
         "convergence": _table(
             ("voice", "grid, $N_x × N_y$", "step, µs", "state", *(head for head, _ in _COLUMNS.values())),

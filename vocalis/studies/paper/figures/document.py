@@ -16,7 +16,7 @@ from vfcore.io.result_document import posture_document, result_document
 from vfcore.measures.catalogue import MeasureReport
 from vfcore.runs.one import prepare, simulate
 from vfcore.runs.result import ARRAYS, SimulationResult
-from vfcore.spec.document import simulation_to_dict
+from vfcore.spec.request import document_of
 from vfcore.spec.simulation import Simulation
 from vocalis.studies.paper.cases import CASES, Case
 from vocalis.studies.paper.claims.registry import CLAIMS
@@ -79,7 +79,7 @@ def figure(case: Case, answers: Sequence[dict[str, Any]]) -> dict[str, Any]:
 
 def _changed(case: Case) -> dict[str, Any]:
     """The case's request without what its axes set, in full: every default is told."""
-    request = simulation_to_dict(case.requests()[0])
+    request = document_of(case.requests()[0])
     moved = {m for axis in case.axes for m in axis.muscles}
     request["activation"] = {m: v for m, v in request["activation"].items() if m not in moved}
     return request

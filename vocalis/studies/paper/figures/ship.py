@@ -16,7 +16,7 @@ from vocalis.studies.paper.report.ship import SCOREBOARD, shipped
 from vocalis.studies.paper.run.document import provenance
 from vocalis.studies.paper.run.gather import warm_up, workers
 
-FIGURES = Path(__file__).parents[4] / "frontend" / "data" / "paper.json"
+FIGURES = Path(__file__).parents[4] / "frontend" / "features" / "paper" / "paper.json"
 
 
 def claims(scoreboard: dict[str, Any]) -> list[dict[str, Any]]:

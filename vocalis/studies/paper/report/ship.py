@@ -1,4 +1,4 @@
-"""The shipped results and the tables of docs/scoreboard.md and docs/model.md, in a source tree (an installed package
+"""The shipped results and the tables of docs/scoreboard.md and docs/model/, in a source tree (an installed package
 has no docs/).
 
 `python -m vocalis.studies.paper.report.ship` runs everything and writes both; with `--text` the tables alone, from the
@@ -25,7 +25,7 @@ RESULTS = Path(__file__).parents[1] / "results"
 SCOREBOARD, STUDY = RESULTS / "scoreboard.json", RESULTS / "study.json"
 CONVERGENCE = RESULTS / "convergence.json"
 PAGE = Path(__file__).parents[4] / "docs" / "scoreboard.md"
-MODEL_PAGE = PAGE.with_name("model.md")
+NUMERICS_PAGE, CHOICES_PAGE = PAGE.parent / "model" / "numerics.md", PAGE.parent / "model" / "choices.md"
 
 
 def shipped(path: Path) -> dict[str, Any]:
@@ -45,16 +45,18 @@ def run_and_write() -> None:
 
 
 def write_pages() -> None:
-    """The tables of both pages from the shipped documents."""
+    """The tables of all pages from the shipped documents."""
     for path, by_name in pages().items():
         write_bytes(path, filled(path.read_text(encoding="utf-8"), by_name).encode())
 
 
 def pages() -> dict[Path, dict[str, str]]:
     """The tables of each page by the names of their marks."""
+    convergence = convergence_tables(shipped(CONVERGENCE))
     return {
         PAGE: tables(shipped(SCOREBOARD), shipped(STUDY)),
-        MODEL_PAGE: convergence_tables(shipped(CONVERGENCE)),
+        CHOICES_PAGE: {"shear": convergence.pop("shear")},
+        NUMERICS_PAGE: convergence,
     }
 
 

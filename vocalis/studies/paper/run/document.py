@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vfcore.spec.document import simulation_from_dict, simulation_to_dict
+from vfcore.spec.request import document_of, resolve
 from vfcore.spec.simulation import Simulation
 from vfcore.spec.variants import VARIANTS
 from vfcore.version import CODE_VERSION, MODEL_VERSION
@@ -41,7 +41,7 @@ def score_variant(
 ) -> Scored:  # fmt: skip
     """Run and judge ``claims`` for one model variant, with the source–tract coupling it is meant with."""
     began = perf_counter()
-    base = simulation_from_dict({"model": {"variant": variant, "coupling": VARIANTS[variant].coupling}})
+    base = resolve({"model": {"variant": variant, "coupling": VARIANTS[variant].coupling}})
     warm_up(base)
     gathered = gather(cases_for(base, claims), pool, progress)
     return Scored(base, gathered, judge(gathered.evidence, claims), perf_counter() - began)
@@ -76,7 +76,7 @@ def _claim(claim: Claim) -> dict[str, Any]:
 
 def _variant(one: Scored) -> dict[str, Any]:
     return {
-        "request": simulation_to_dict(one.base),
+        "request": document_of(one.base),
         "seconds": round(one.seconds, 1),
         "score": score(one.outcomes),
         "outcomes": {key: plain_outcome(outcome) for key, outcome in one.outcomes.items()},

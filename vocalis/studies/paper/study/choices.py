@@ -7,6 +7,7 @@ from typing import Any
 
 from vfcore.runs.one import prepare
 from vfcore.spec.posture_sets import constant_names, posture_set
+from vfcore.spec.request import flat
 from vfcore.spec.simulation import PAPER_STEP_S, Simulation
 from vocalis.studies.paper.run.gather import LEVEL, Prepare
 from vocalis.studies.paper.study.fold import with_reported_alpha
@@ -14,7 +15,7 @@ from vocalis.studies.paper.study.fold import with_reported_alpha
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """One choice. ``factor``: what is left open; ``takes``: what is chosen here; ``change``: of the request document.
+    """One choice. ``factor``: what is left open; ``takes``: what is chosen here; ``change``: of the request.
 
     ``level``: the measure that stands for the level of a map. ``fold``: how folds are made, where no request says it.
     ``control``: a numerical setting that should change nothing; it is not paired.
@@ -86,14 +87,7 @@ def both(first: Choice, second: Choice) -> Choice:
     """Two choices at once."""
     level = next((choice.level for choice in (first, second) if choice.level != LEVEL), LEVEL)
     fold = next((choice.fold for choice in (first, second) if choice.fold is not prepare), prepare)
-    return Choice(f"{first.name} +", second.name, _merged(first.change, second.change), level, fold)
-
-
-def _merged(one: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:
-    merged = dict(one)
-    for key, value in other.items():
-        merged[key] = _merged(merged[key], value) if isinstance(value, Mapping) and key in merged else value
-    return merged
+    return Choice(f"{first.name} +", second.name, flat(first.change) | flat(second.change), level, fold)
 
 
 DESIGNED = tuple(

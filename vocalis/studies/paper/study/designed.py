@@ -12,7 +12,7 @@ from itertools import combinations
 from time import perf_counter
 from typing import Any
 
-from vfcore.spec.document import simulation_from_dict
+from vfcore.spec.request import resolve
 from vocalis.studies.paper.cases import Axis, Case, evenly
 from vocalis.studies.paper.claims.claim import Verdict
 from vocalis.studies.paper.claims.registry import CLAIMS
@@ -70,7 +70,7 @@ def changes(row: Mapping[str, Any], default: Mapping[str, Any]) -> list[tuple[st
 
 
 def _tried(choice: Choice, pool: ProcessPoolExecutor, watched: Watch) -> tuple[Choice, dict[str, Any]]:
-    base = simulation_from_dict(choice.change)
+    base = resolve(choice.change)
     warm_up(base)
     cases = {key: coarse(case) for key, case in cases_for(base, PHYSICS).items()}
     gathered = gather(cases, pool, watched(choice.name), choice.level, choice.fold)

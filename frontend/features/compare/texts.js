@@ -1,0 +1,37 @@
+/** Texts of the comparison. */
+
+export const COMPARE = {
+  title: "Compare A and B",
+  hold: { a: "Hold A", b: "Hold B" },
+  holdHelp: { a: "Hold this voice as A (key A)", b: "Hold this voice as B (key B)" },
+  held: { a: "A is held. Change something: B is the voice you see.", b: "B is held." },
+  free: "Release B",
+  forget: "Forget both",
+  live: "live",
+  heldMark: "held",
+  start: "Hold a voice as A, then change something. The voice you see is B until you hold it too.",
+  hear: { a: "Hear A", b: "Hear B", turn: "In turn" },
+  hearHelp: "at equal loudness",
+  stop: "Stop",
+  state: "State",
+  sameSettings: "A and B have the same settings.",
+  measure: "Measure",
+  difference: "B − A",
+  waves: "One cycle, from closing",
+  picture: "Waves of A and B over one cycle, one above the other",
+  difPicture: "B minus A",
+  cycle: "share of the cycle",
+  mode: { both: "Overlaid", difference: "Difference", folds: "Folds" },
+  modeName: "What is compared",
+  folds: (percent) => `At ${percent} % of each cycle`,
+  foldsPicture:
+    "Glottis from above and pressures on the medial surface of A and B, at the same phase and with the same limits",
+  back: "Go back to A",
+  none: "–",
+  short: {
+    min_flow_ml_s: "Minimum flow",
+    mfdr_l_s2: "Flow declination",
+    h1_h2_sound_db: "Harmonics, sound",
+    gap_mm: "Posterior gap",
+  },
+};

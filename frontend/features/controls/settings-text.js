@@ -1,0 +1,27 @@
+/** Settings as text. Pure. */
+import { numberText } from "../../core/axis.js";
+import { OPTION_NAMES, VARIANT_NAMES } from "./texts.js";
+
+/** Rows of the schema whose values differ. */
+export const differingSettings = (schema, a, b) =>
+  [...schema.parameters.values()].filter(({ key }) => a[key] !== b[key]);
+
+/** Short name of a setting: the muscle's abbreviation, else its name. */
+export const shortName = (row) => (row.group === "muscles" ? row.short : row.name);
+
+/** A setting's value as people read it, with its unit. */
+export function valueOf(row, values) {
+  const value = values[row.key];
+  if (value === null || value === undefined) return "–";
+  if (typeof value !== "number") return OPTION_NAMES[value] ?? VARIANT_NAMES[value] ?? value;
+  const decimals = Number(value.toFixed(row.decimals)) === value ? row.decimals : 4;
+  return `${numberText(value, decimals)}${!row.unit || row.unit === "1" ? "" : ` ${row.unit}`}`;
+}
+
+/** The change of one step of the history: "CT 0.60", "3 settings", a preset's name. */
+export function changeSummary(schema, before, after, presetLabel, words) {
+  if (presetLabel) return presetLabel;
+  const rows = before ? differingSettings(schema, before, after) : [];
+  if (!rows.length) return words.first;
+  return rows.length === 1 ? `${shortName(rows[0])} ${valueOf(rows[0], after)}` : words.several(rows.length);
+}
