@@ -1,4 +1,4 @@
-"""Start the server, say once where it is, stop it cleanly."""
+"""Starts the server, prints its address once, stops it cleanly."""
 
 import logging
 import os
@@ -14,13 +14,13 @@ from sqlalchemy.exc import SQLAlchemyError
 from vocalis.server.app import create_app
 from vocalis.server.exceptions import StorageUnusable
 from vocalis.server.http.access import is_loopback
-from vocalis.server.live.handover import HandsOver
+from vocalis.server.live.handover import HandoverProtocol
 from vocalis.server.services import Services
 from vocalis.server.settings import Settings
 
-#: Python hands its lock on after this long (5 ms unless told): a posture must not wait for a run's measures.
+#: Python's threads switch after this long (default 5 ms): a posture must not wait for a run's measures.
 SWITCH_S = 0.0005
-GRACE_S = 1  # for answers under way when the server is stopped
+GRACE_S = 1  # for unfinished answers when the server stops
 
 
 def serve(
@@ -32,8 +32,8 @@ def serve(
 ) -> None:
     """Serve until SIGINT or SIGTERM.
 
-    On an address that others can reach everybody must show a token: ``token``, VOCALIS_TOKEN, or one made up and
-    printed once. Exits with one line when the address cannot be used.
+    On an address that others can reach every request needs a token: ``token``, VOCALIS_TOKEN, or a generated one,
+    which is printed once. Exits with one line when the address cannot be used.
     """
     given = {"token": token, "tls_cert": tls_cert, "tls_key": tls_key}
     settings = read_settings(
@@ -53,7 +53,7 @@ def serve(
         log_config=None,
         access_log=False,
         server_header=False,
-        ws=HandsOver,
+        ws=HandoverProtocol,
         ws_max_size=65_536,
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=GRACE_S,
@@ -79,7 +79,7 @@ def read_settings(**given: Any) -> Settings:
 
 
 class _Server(uvicorn.Server):
-    """Says where it is once it answers, and ends event streams before it waits for open connections."""
+    """Prints its address once it answers, and ends event streams before it waits for open connections."""
 
     def __init__(self, config: uvicorn.Config, services: Services, address: str):
         super().__init__(config)

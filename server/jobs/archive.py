@@ -25,7 +25,7 @@ _ADDRESS = re.compile(r"[0-9a-f]{32}")  # a client's string becomes a file name
 class ResultFormat(Protocol):
     """How one type of result is kept as a file. ``ending`` tells the files of one format from those of another."""
 
-    type: type
+    result_type: type[Any]
     ending: str
 
     def save(self, result: Any, path: Path) -> int:
@@ -44,7 +44,7 @@ class ResultFormat(Protocol):
 class DocumentFormat:
     """Results that are plain documents, as JSON."""
 
-    type = dict
+    result_type: type[Any] = dict
     ending = ".json"
 
     def save(self, result: dict[str, Any], path: Path) -> int:
@@ -151,7 +151,7 @@ class Archive:
         return None
 
     def _format_of(self, result: Any) -> ResultFormat:
-        return next(form for form in self._formats if isinstance(result, form.type))
+        return next(form for form in self._formats if isinstance(result, form.result_type))
 
     def _path(self, content: str, form: ResultFormat) -> Path:
         return self._folder.results / f"{content}{form.ending}"

@@ -1,7 +1,9 @@
 """WS /live: a voice to play; server/live/protocol.py describes the messages."""
 
 import asyncio
+from collections.abc import Awaitable
 from contextlib import suppress
+from typing import Any
 
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 
@@ -24,8 +26,8 @@ async def live(socket: WebSocket) -> None:
         if hand_over is None:
             raise NotReady("Voices can be played where `vocalis serve` runs the server.")
         async with shared.voices.place() as play:
-            await socket.receive()  # that a client wants to connect
-            await _either(play(await hand_over()), socket.receive())  # then: that the server stops
+            await socket.receive()  # the connection request
+            await _either(play(await hand_over()), socket.receive())  # the server stops
     except VocalisError as error:
         await _refuse(socket, problem_of(error))
 
@@ -37,7 +39,7 @@ async def _refuse(socket: WebSocket, problem: dict) -> None:
         await socket.close(TRY_AGAIN_LATER, problem["title"])
 
 
-async def _either(*awaitables) -> None:
+async def _either(*awaitables: Awaitable[Any]) -> None:
     """Until one of them ends."""
     tasks = [asyncio.ensure_future(one) for one in awaitables]
     try:

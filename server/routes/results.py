@@ -1,21 +1,16 @@
 """The answer of a finished job in its forms: document, arrays, sound, files. The kind of the job makes each."""
 
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated
 
 from fastapi import APIRouter, Query, Response
 from fastapi.responses import StreamingResponse
 
-from vfcore.runs.result import ARRAYS
 from vocalis.server.http.openapi import ok, ok_bytes, problems
 from vocalis.server.jobs.kinds.base import BYTES, CSV, NETCDF, WAV, Answer, Part
 from vocalis.server.jobs.kinds.registry import kind_named
+from vocalis.server.schemas.answers import ArrayName
 from vocalis.server.schemas.jobs import ResultAnswer
 from vocalis.server.services import Shared
-
-if TYPE_CHECKING:
-    ArrayName = str
-else:
-    ArrayName = Literal[tuple(ARRAYS)]
 
 router = APIRouter(prefix="/jobs/{job_id}", tags=["results"])
 Keys = Annotated[str | None, Query(description="of a sweep: keys of measures, comma between; all when left out")]

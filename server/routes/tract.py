@@ -1,7 +1,7 @@
 """GET /tract/{vowel}: the vocal tract of a vowel, as shape and as filter."""
 
 from functools import lru_cache
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from fastapi import APIRouter, Query
@@ -29,13 +29,21 @@ def _constant(name: str) -> Any:
     return Annotated[float | None, about]
 
 
-Density, Speed, Scale = (_constant(name) for name in ("rho_a_kg_m3", "c_a_m_s", "airway_scale"))
+if TYPE_CHECKING:
+    Vowel = str
+    Variant = str
+    Density = float | None
+    Speed = float | None
+    Scale = float | None
+else:
+    Vowel, Variant = Literal[tuple(VOWELS)], Literal[tuple(VARIANTS)]
+    Density, Speed, Scale = (_constant(name) for name in ("rho_a_kg_m3", "c_a_m_s", "airway_scale"))
 
 
 @router.get("/{vowel}", responses=ok(model=answers.TractAnswer) | problems(404, 422))
 def tract(
-    vowel: Literal[tuple(VOWELS)],
-    variant: Annotated[Literal[tuple(VARIANTS)], Query(description="model variant, whose airways these are")] = "paper",
+    vowel: Vowel,
+    variant: Annotated[Variant, Query(description="model variant, whose airways these are")] = "paper",
     rho_a_kg_m3: Density = None,
     c_a_m_s: Speed = None,
     airway_scale: Scale = None,

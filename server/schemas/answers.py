@@ -1,11 +1,18 @@
 """Answers at the wire: what the OpenAPI document promises. Units stand in the names."""
 
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from vfcore.fold.closure import PATTERNS
 from vfcore.runs.result import ARRAYS
+
+if TYPE_CHECKING:
+    ClosurePattern = str
+    ArrayName = str
+else:
+    ClosurePattern = Literal[PATTERNS]
+    ArrayName = Literal[tuple(ARRAYS)]
 
 
 class FieldError(BaseModel):
@@ -111,7 +118,7 @@ class StaticShape(BaseModel):
     medial_superior_m: list[float]
     medial_inferior_m: list[float]
     closed_fraction: float
-    closure_pattern: Literal[PATTERNS]
+    closure_pattern: ClosurePattern
 
 
 class PostureAnswer(BaseModel):
@@ -176,7 +183,7 @@ class Result(BaseModel):
     posture: Posture
     coefficients: Coefficients
     static_shape: StaticShape
-    arrays: dict[Literal[tuple(ARRAYS)], ArrayInfo]
+    arrays: dict[ArrayName, ArrayInfo]
     provenance: dict[str, Any]
 
 

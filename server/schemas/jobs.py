@@ -19,7 +19,7 @@ def body_type(kinds: Mapping[str, JobKind]) -> Any:
 
     def tag(body: Any) -> str:
         kind = body.get("kind") if isinstance(body, dict) else getattr(body, "kind", None)
-        return kind if kind in kinds else DEFAULT_KIND
+        return kind if isinstance(kind, str) and kind in kinds else DEFAULT_KIND
 
     members = [Annotated[kind.body, Tag(name)] for name, kind in kinds.items()]
     return Annotated[reduce(or_, members), Discriminator(tag)] if len(members) > 1 else members[0]

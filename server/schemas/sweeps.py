@@ -2,7 +2,7 @@
 each.
 """
 
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BaseModel, Field
 
@@ -13,6 +13,12 @@ from vfcore.runs.sweep.plan import Sweep
 from vfcore.spec.paths import NUMBERS
 from vocalis.server.schemas.requests import STRICT, SimulationBody
 
+if TYPE_CHECKING:
+    MeasureKey = str
+    Precision = str
+else:
+    MeasureKey = Literal[tuple(CATALOGUE.keys())]
+    Precision = Literal[PRECISIONS]
 Path = Annotated[str, Field(json_schema_extra={"enum": list(NUMBERS)})]
 
 
@@ -34,10 +40,10 @@ class SweepBody(BaseModel):
     points: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = Field(
         None, description="numbers by dotted path, or nested as in a simulation"
     )
-    measures: Annotated[list[Literal[CATALOGUE.keys()]], Field(min_length=1)] | None = Field(
+    measures: Annotated[list[MeasureKey], Field(min_length=1)] | None = Field(
         None, description="keys of GET /measures to compute; all when left out"
     )
-    precision: Literal[PRECISIONS] = Field(
+    precision: Precision = Field(
         "float64",
         description=f"of march and transforms; float32 computes a map in three fifths of the time, {SINGLE_PRECISION}",
     )

@@ -28,7 +28,7 @@ def client(live):
 
 
 @pytest.fixture(scope="module")
-def stage():
+def voice_server():
     """A server for two voices whose process of voices has started."""
     with serving(live_voices=2) as server:
         with voice(server) as first:

@@ -9,8 +9,8 @@ from vfcore.runs.gesture.gesture import gesture_from_dict
 from vfcore.runs.gesture.render import render
 
 
-def test_blocks_come_in_order_in_real_time_and_sound(stage):
-    with voice(stage) as socket:
+def test_blocks_come_in_order_in_real_time_and_sound(voice_server):
+    with voice(voice_server) as socket:
         heard = Heard(socket).listen(1.5)
     assert heard.sequence == list(range(len(heard.sequence)))
     assert 138 <= len(heard.sequence) <= 180  # 150, and what waited for a client that woke late
@@ -23,8 +23,8 @@ def test_blocks_come_in_order_in_real_time_and_sound(stage):
     assert heard.states[-1]["fo_hz"] == pytest.approx(149.6, abs=0.5)
 
 
-def test_the_voice_follows_the_hand(stage):
-    with voice(stage) as socket:
+def test_the_voice_follows_the_hand(voice_server):
+    with voice(voice_server) as socket:
         heard = Heard(socket)
         heard.send(activation={"ct": 0.1})
         low = heard.listen(0.6).states[-1]
@@ -54,8 +54,8 @@ def test_the_voice_follows_the_hand(stage):
         ('{"stamp": 0.5}', "stamp"),
     ],
 )
-def test_what_cannot_be_understood_is_said_and_the_voice_goes_on(stage, message, path):
-    with voice(stage) as socket:
+def test_what_cannot_be_understood_is_said_and_the_voice_goes_on(voice_server, message, path):
+    with voice(voice_server) as socket:
         heard = Heard(socket).listen(0.05)
         socket.send(message)
         heard.listen(10, until="problem")
@@ -63,8 +63,8 @@ def test_what_cannot_be_understood_is_said_and_the_voice_goes_on(stage, message,
         assert Heard(socket).listen(0.1).blocks
 
 
-def test_the_block_that_first_follows_a_stamped_movement_is_named(stage):
-    with voice(stage) as socket:
+def test_the_block_that_first_follows_a_stamped_movement_is_named(voice_server):
+    with voice(voice_server) as socket:
         heard = Heard(socket).listen(0.3)
         heard.send(subglottal_pressure_pa=0, stamp=3)
         heard.send(subglottal_pressure_pa=1, stamp=4)
@@ -79,9 +79,9 @@ def test_the_block_that_first_follows_a_stamped_movement_is_named(stage):
     assert max(loud[follows + 40 :]) < 0.05 * loud[follows - 1], "and what follows it dies away"
 
 
-def test_a_recorded_gesture_renders_to_the_same_samples(stage):
+def test_a_recorded_gesture_renders_to_the_same_samples(voice_server):
     """Tolerance: none. Live and offline are one engine, so CT from 0.1 to 0.9 is the same sound bit for bit."""
-    with voice(stage) as socket:
+    with voice(voice_server) as socket:
         heard = Heard(socket).listen(0.1)
         heard.send(record=True)
         for ct, vowel in ((0.1, "a"), (0.9, "a"), (0.9, "i"), (0.2, "i")):

@@ -1,4 +1,4 @@
-"""Parts of the server on their own: transitions, turns, the event log, the results kept, architecture."""
+"""Parts of the server by themselves: transitions, the limiter, the event log, imports."""
 
 import ast
 import asyncio
@@ -112,8 +112,8 @@ def test_a_cancelled_wait_gives_its_place_back():
     asyncio.run(main())
 
 
-def test_the_voices_of_the_rehearsal_have_the_states_whose_measures_they_compile():
-    assert [simulate(voice).report.state for voice in (PERIODIC, IRREGULAR)] == ["periodic", "irregular"]
+def test_the_warm_up_requests_have_the_states_whose_measures_they_compile():
+    assert [simulate(request).report.state for request in (PERIODIC, IRREGULAR)] == ["periodic", "irregular"]
 
 
 def test_calls_wait_for_the_kernels(monkeypatch):
@@ -166,9 +166,9 @@ def test_a_reader_that_missed_too_much_is_not_given_a_gap():
     assert log.position(None) is None and log.position("nonsense") is None
 
 
-def test_the_job_room_knows_nothing_of_the_web():
+def test_jobs_do_not_import_a_web_framework():
     folder = Path(vocalis.server.__file__).parent / "jobs"
-    for path in folder.glob("*.py"):
+    for path in folder.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
             names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
             names += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []

@@ -43,7 +43,11 @@ def test_a_bad_field_is_named_with_what_it_takes(client, path, body, field, allo
 def test_a_sweep_is_a_job_and_nothing_else(client, path):
     errors = problem(client.post(path, json={"kind": "sweep", "base": {}}), 422)["errors"]
     assert errors == [
-        {"path": "kind", "message": "a sweep is a job; here stands one simulation", "allowed": "simulation"}
+        {
+            "path": "kind",
+            "message": "must be one simulation here; POST /jobs takes other kinds",
+            "allowed": "simulation",
+        }
     ]
 
 

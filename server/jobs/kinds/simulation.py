@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 class SimulationFormat:
     """Results of runs as zips of arrays."""
 
-    type = SimulationResult
+    result_type: type[Any] = SimulationResult
     ending = ".npz"
 
     def save(self, result: SimulationResult, path: Path) -> int:
