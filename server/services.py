@@ -6,7 +6,7 @@ from typing import Annotated
 from fastapi import Depends
 from starlette.requests import HTTPConnection
 
-from vfcore.kernels.jit import data_directory
+from vfcore.directories import jobs_directory
 from vfcore.runs.gesture.render import RenderedGesture
 from vocalis.server.http.access import Access, access_for, client_of
 from vocalis.server.jobs.cache import LruCache
@@ -46,7 +46,7 @@ class Services:
         """The services of a server with these settings; nothing is started yet."""
         token = settings.token.get_secret_value() if settings.token else None
         limits = Limits(settings.jobs_kept, settings.keep_days, settings.stored_bytes, settings.points_kept)
-        directory = settings.jobs_directory or data_directory() / "jobs"
+        directory = settings.jobs_directory or jobs_directory()
         storage, events = Storage(directory, settings.result_bytes, limits, result_formats()), EventLog()
         recorder = JobRecorder(storage.jobs, events)
         cluster = _cluster(settings)

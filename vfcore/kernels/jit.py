@@ -15,13 +15,9 @@ import os
 from pathlib import Path
 
 import numba
-import platformdirs
 from numba.extending import register_jitable
 
-
-def data_directory() -> Path:
-    """Where Vocalis keeps compiled kernels and results: ``VOCALIS_DATA`` or the user's data folder."""
-    return Path(os.environ.get("VOCALIS_DATA") or platformdirs.user_data_dir("vocalis", appauthor=False))
+from vfcore.directories import data_directory
 
 
 def _source_hash() -> str:
