@@ -16,7 +16,7 @@ MEDIA_TYPE = "application/problem+json"
 
 
 class Kind(NamedTuple):
-    """``slug`` names the problem type, ``title`` says it in words."""
+    """``slug`` names the problem type, ``title`` is for people."""
 
     status: int
     slug: str

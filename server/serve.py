@@ -103,7 +103,7 @@ def _greet(services: Services, address: str) -> None:
     settings, token = services.settings, services.access.token
     if token is not None and settings.token is None:
         # After the #, so that no browser sends it and no log keeps it.
-        print(f"Everybody needs this token, shown once: {token}\nSign in: {address}/login#{token}", flush=True)
+        print(f"Every request needs this token, shown once: {token}\nSign in: {address}/login#{token}", flush=True)
     if settings.tls_cert is None and not is_loopback(settings.host):
         print("The connection is not encrypted; --tls-cert and --tls-key make it so.", flush=True)
 

@@ -16,7 +16,7 @@ from vfcore.errors import ParameterError, VocalisError
 from vocalis.server.exceptions import NotReady
 from vocalis.server.jobs.kinds.registry import KINDS
 from vocalis.server.problems import MEDIA_TYPE, TABLE, Kind, document, kind_of, problem_of
-from vocalis.server.schemas.requests import OFFERED_KINDS, allowed_at, known_beside
+from vocalis.server.schemas.requests import OFFERED_KINDS, allowed_at, known_names
 
 log = logging.getLogger("vocalis")
 LONGEST_ECHO = 60
@@ -120,7 +120,7 @@ def _field(item: dict[str, Any]) -> dict[str, str]:
         return {"path": _path([*rest, "kind"]), "message": item["msg"], "allowed": " | ".join(OFFERED_KINDS)}
     path = _path(rest) or str(where)
     if kind == "extra_forbidden":
-        return {"path": path, "message": "is not a known field", "allowed": known_beside(path)}
+        return {"path": path, "message": "is not a known field", "allowed": known_names(path)}
     allowed = (allowed_at(path) if where == "body" else None) or limits.get("expected") or item["msg"]
     message = "is missing" if kind == "missing" else f"{_echo(item['input'])} cannot be used"
     return {"path": path, "message": message, "allowed": str(allowed)}

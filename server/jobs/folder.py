@@ -12,7 +12,7 @@ class Folder:
     """A folder that no other server uses while this one holds its lock; the system releases it however a server ends.
 
     ``wanted`` itself, or when another server has it ``wanted-2``, ``wanted-3``, …: every server runs the jobs it
-    accepted, none runs another's. ``number`` says which one it is, 0 before ``open``.
+    accepted, none runs another's. ``number`` tells which one it is; 0 before ``open``.
     """
 
     def __init__(self, wanted: Path):

@@ -1,4 +1,4 @@
-"""Work as the scheduler sees it: an identity, tasks to hand out, and an end. A kind of job makes its own.
+"""Work as the scheduler sees it: an identity, tasks to compute, and an end. A kind of job makes its own.
 
 ``SingleWork`` is one computation in one piece. Work of many tasks, such as a sweep, is a class of its kind.
 """

@@ -1,4 +1,4 @@
-"""POST /resolve: what a request stands for, value by value. The page shows these values and keeps none of its own."""
+"""POST /resolve: every value of a request. The page shows these values and has no defaults of its own."""
 
 from fastapi import APIRouter
 from fastapi.responses import JSONResponse

@@ -50,7 +50,7 @@ def tract(
 ) -> JSONResponse:
     """Area function, resonances with the glottis closed, and gain from glottal flow to pressure at the lips.
 
-    It is the tract that a run of this vowel, variant and air is heard through.
+    It is the tract of a run with this vowel, variant and air.
     """
     given = {"rho_a_kg_m3": rho_a_kg_m3, "c_a_m_s": c_a_m_s, "airway_scale": airway_scale}
     constants = {name: value for name, value in given.items() if value is not None}

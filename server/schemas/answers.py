@@ -1,4 +1,4 @@
-"""Answers at the wire: what the OpenAPI document promises. Units stand in the names."""
+"""Answers at the wire, as the OpenAPI document describes them. Names carry the units."""
 
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -145,7 +145,7 @@ class ArrayInfo(BaseModel):
 
 
 class ErrorLevel(BaseModel):
-    """One of the runs compared, the one asked for first."""
+    """One of the runs compared; the requested one comes first."""
 
     nx: int
     ny: int
@@ -173,13 +173,13 @@ class ErrorEstimateAnswer(BaseModel):
 
 
 class Result(BaseModel):
-    """A finished simulation, but for the arrays themselves."""
+    """A finished simulation, without the arrays themselves."""
 
     model_config = ConfigDict(extra="allow")
     phonation_state: Literal["none", "periodic", "subharmonic", "irregular"]
     periodicity: float | None
     measures: dict[str, MeasuredValue]
-    error_estimate: ErrorEstimateAnswer | None = Field(description="null unless the request asked for it")
+    error_estimate: ErrorEstimateAnswer | None = Field(description="null unless the request has `run.error_estimate`")
     posture: Posture
     coefficients: Coefficients
     static_shape: StaticShape
@@ -205,7 +205,7 @@ class MeasureTable(BaseModel):
     symbol: str
     label: str
     values: list[float | None] = Field(description="in C order of the shape")
-    reasons: list[MissingReason] = Field(description="why points that phonate or not have no value")
+    reasons: list[MissingReason] = Field(description="why points have no value")
 
 
 class PointProblem(BaseModel):

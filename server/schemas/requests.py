@@ -1,7 +1,7 @@
 """The request body at the wire: pydantic models made from the rows of ``vfcore.spec.schema``.
 
-Unit, range, label and help are declared once, in the core; here they become JSON Schema. The last word has
-vfcore.spec.request, which sees what a schema cannot say (a step too long for a grid, say).
+Unit, range, label and help are declared once, in the core; here they become JSON Schema. vfcore.spec.request
+checks the rest, which a schema cannot express (for example a step that is too long for the grid).
 """
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -23,7 +23,7 @@ ROWS: dict[str, dict[str, Any]] = {row["key"]: row for row in parameter_schema()
 
 
 def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
-    """The (type, default) pair of ``create_model`` for one parameter; ``moving``: breakpoints may stand for it."""
+    """The (type, default) pair of ``create_model`` for one parameter; ``moving``: it may be a list of breakpoints."""
     by_larynx = row["key"].startswith(f"{LARYNX}.")
 
     def extra(schema: dict[str, Any]) -> None:
@@ -146,17 +146,17 @@ else:
 
 
 def gesture_of(body: BaseModel) -> Gesture:
-    """The validated gesture; ParameterError for what the schema could not see."""
+    """The validated gesture; ParameterError for what the schema cannot express."""
     return gesture_from_dict(body.model_dump(exclude_unset=True, exclude={"kind"}))
 
 
 def simulation_of(body: BaseModel) -> Simulation:
-    """The validated request; ParameterError for what the schema could not see."""
+    """The validated request; ParameterError for what the schema cannot express."""
     return resolve(body.model_dump(exclude_unset=True, exclude={"fresh"}))
 
 
 def allowed_at(path: str) -> str | None:
-    """What a field of a body takes, in words; None when there is no such field."""
+    """The values that a field of a body takes, in words; None when there is no such field."""
     path = path.removeprefix("base.")
     if path in _OBJECTS:
         return f"an object with {', '.join(sorted(_OBJECTS[path].model_fields))}"
@@ -170,8 +170,8 @@ def allowed_at(path: str) -> str | None:
     return f"{row['min']:g} to {row['max']:g}{unit}" + (", or null" if row["nullable"] else "")
 
 
-def known_beside(path: str) -> str:
-    """The names that are known where an unknown one stood."""
+def known_names(path: str) -> str:
+    """The known names in the object that has an unknown one."""
     parent, _, _ = path.removeprefix("base.").rpartition(".")
     if parent == "constants":
         return "the constants listed by GET /api/v1/parameters"

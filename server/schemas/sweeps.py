@@ -1,6 +1,4 @@
-"""A sweep at the wire: its shape. What its numbers may be is judged by vfcore.runs.sweep, which names the place of
-each.
-"""
+"""The schema of a sweep at the wire. vfcore.runs.sweep checks its values, and names the place of each bad one."""
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -52,5 +50,5 @@ class SweepBody(BaseModel):
 
 
 def sweep_of(body: SweepBody) -> Sweep:
-    """The validated sweep; ParameterError for what the schema could not see."""
+    """The validated sweep; ParameterError for what the schema cannot express."""
     return sweep_from_dict(body.model_dump(exclude_unset=True, exclude={"fresh"}))

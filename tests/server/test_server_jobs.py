@@ -1,4 +1,4 @@
-"""A job from handing in to dismissal."""
+"""A job from submission to dismissal."""
 
 import time
 

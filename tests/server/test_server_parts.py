@@ -40,7 +40,7 @@ def test_what_is_over_never_runs_again():
     assert set(TRANSITIONS) == set(Status)
 
 
-def test_a_class_without_a_row_takes_that_of_its_base():
+def test_a_class_without_a_row_has_the_row_of_its_base():
     for cls, kind in TABLE.items():
         derived = type("Derived", (cls,), {"__init__": lambda self: None})
         assert kind_of(derived()) is kind
@@ -75,7 +75,7 @@ def test_the_newest_call_is_next():
     assert order == [0, 3, 2, 1]
 
 
-def test_the_oldest_waiting_call_is_turned_away_when_too_many_wait():
+def test_the_oldest_waiting_call_is_refused_when_too_many_wait():
     order, outcomes = in_turn(slots=1, waiting=2, calls=4)
     assert order == [0, 3, 2]
     assert isinstance(outcomes[1], Superseded) and "2 places" in str(outcomes[1])
@@ -129,7 +129,7 @@ def test_calls_wait_for_the_kernels(monkeypatch):
     asyncio.run(main())
 
 
-def test_calls_are_told_why_there_will_be_no_kernels(monkeypatch):
+def test_calls_get_the_reason_why_there_are_no_kernels(monkeypatch):
     def broken(*_):
         raise OSError("no space left for compiled code")
 
@@ -142,7 +142,7 @@ def test_calls_are_told_why_there_will_be_no_kernels(monkeypatch):
         asyncio.run(kernels.for_runs())
 
 
-def test_the_log_keeps_of_a_jobs_progress_the_last_word_only():
+def test_the_log_keeps_only_the_latest_progress_of_a_job():
     log = EventLog()
     for k in range(100):
         log.publish(PROGRESS, "me", "a", {"progress": k})

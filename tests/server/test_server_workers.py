@@ -1,4 +1,4 @@
-"""A worker process that dies is replaced; its job is tried once more."""
+"""A worker process that dies is replaced; its job is tried again once."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""Sweeps on a real Dask cluster: the numbers of the local engine, bit for bit, whatever becomes of a worker."""
+"""Sweeps on a real Dask cluster: the numbers of local workers, bit for bit, whatever happens to a worker."""
 
 import pytest
 
