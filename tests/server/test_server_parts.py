@@ -1,13 +1,12 @@
 """Parts of the server by themselves: transitions, the limiter, the event log, imports."""
 
-import ast
 import asyncio
+import subprocess
+import sys
 import threading
-from pathlib import Path
 
 import pytest
 
-import vocalis.server
 from vfcore.runs.one import simulate
 from vocalis.server.exceptions import ClientLeft, NotReady, Superseded
 from vocalis.server.jobs.events import DONE, PROGRESS, EventLog
@@ -166,10 +165,25 @@ def test_a_reader_that_missed_too_much_is_not_given_a_gap():
     assert log.position(None) is None and log.position("nonsense") is None
 
 
-def test_jobs_do_not_import_a_web_framework():
-    folder = Path(vocalis.server.__file__).parent / "jobs"
-    for path in folder.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text())):
-            names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
-            names += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
-            assert not {name.partition(".")[0] for name in names} & {"fastapi", "starlette", "uvicorn"}, path
+def loaded_by(module: str) -> set[str]:
+    """The modules that are loaded once this one is imported in a process of its own."""
+    code = f"import sys, {module}; print(*sys.modules)"
+    return set(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split())
+
+
+@pytest.mark.parametrize("module", ["problems", "exceptions", "addresses", "encoding"])
+def test_what_all_rooms_share_imports_none_of_them(module):
+    loaded = loaded_by(f"vocalis.server.{module}")
+    rooms = ("http", "jobs", "live", "routes", "schemas", "services", "warmup")
+    assert not {name for name in loaded if name.startswith(tuple(f"vocalis.server.{room}" for room in rooms))}
+
+
+def test_jobs_load_no_web_framework_and_nothing_that_answers_requests():
+    loaded = loaded_by("vocalis.server.jobs.service")
+    assert not loaded & {"fastapi", "starlette", "uvicorn"}
+    assert not {name for name in loaded if name.startswith(("vocalis.server.http", "vocalis.server.routes"))}
+
+
+def test_a_worker_starts_without_database_and_schemas():
+    assert not loaded_by("vocalis.server.jobs.runner") & {"sqlalchemy", "pydantic", "fastapi"}
+    assert not loaded_by("vocalis.server.jobs.computations") & {"sqlalchemy", "pydantic", "fastapi"}
