@@ -1,6 +1,7 @@
 """One computation, one address: over every variant, posture set and coupling, with random numbers of a request."""
 
 import dataclasses
+import json
 
 import pytest
 from hypothesis import given
@@ -8,6 +9,7 @@ from hypothesis import strategies as st
 
 from vfcore.errors import ParameterError
 from vfcore.measures.catalogue import CATALOGUE
+from vfcore.runs.gesture.gesture import MOVABLE, gesture_from_dict
 from vfcore.runs.sweep import sweep_from_dict
 from vfcore.spec.address import address, computation
 from vfcore.spec.larynx import CONSTANTS
@@ -15,6 +17,7 @@ from vfcore.spec.paths import DECLARATIONS, NUMBERS
 from vfcore.spec.posture_sets import POSTURE_SETS
 from vfcore.spec.request import document_of, flat, nested, patch_of, patched, resolve, values_of
 from vfcore.spec.simulation import COUPLING_GRADIENTS, COUPLINGS, SHEAR_FORMS, VARIANTS, Simulation
+from vocalis.cli.requests import request_patch
 
 PAPER = Simulation()
 CHOICES = {
@@ -137,7 +140,12 @@ def test_every_way_to_a_request_leads_to_the_same_one(model, base, patch):
     assert resolve(patch_of(request)) == request
     assert resolve(document_of(request)) == request
     assert document_of(resolve(document_of(request))) == document_of(request)
-    assert resolve({path: value for path, value in values_of(request).items() if path != "kind"}) == request
+    assert resolve(values_of(request)) == request
+    words = [f"{path}={json.dumps(value)}" for path, value in flat(asked).items()]
+    assert resolve(request_patch(None, None, {}, words)) == request, "the command line"
+    moving = {p: [[0.0, v], [9.0, v]] if p in MOVABLE and v is not None else v for p, v in flat(asked).items()}
+    still = gesture_from_dict(nested(moving))
+    assert still.at(0.0) == request == still.start, "a gesture in which nothing moves"
 
 
 @given(models, patches)
