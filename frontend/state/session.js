@@ -1,5 +1,5 @@
 /** The page and its server: starting, ready, asking for a token, or offline; and short messages to the user. */
-import { readonly, signal } from "../core/ui.js";
+import { computed, readonly, signal } from "../core/ui.js";
 
 const _connection = signal("starting"); // starting | ready | login | offline
 const _health = signal(null);
@@ -7,6 +7,8 @@ const _notice = signal("");
 const _announcement = signal("");
 
 export const connection = readonly(_connection);
+/** Whether calls may be made: the model is ready and the token, where one is needed, was accepted. */
+export const entered = computed(() => _connection.value === "ready" || _connection.value === "offline");
 export const health = readonly(_health);
 /** One visible line that disappears after a few seconds. */
 export const notice = readonly(_notice);

@@ -63,6 +63,10 @@ WAYS = """async (cases) => {
   stop();
   return found;
 }"""
+ANSWERED = """async () => {
+  const [{ answered }, { version }] = await Promise.all([import("/state/answers.js"), import("/state/request.js")]);
+  return answered.value === version.value;
+}"""
 #: What the page says to the worker of a played voice.
 SAID = """
 window.said = [];
@@ -247,7 +251,8 @@ def test_old_values_stay_until_the_new_ones_are_there_and_a_failed_call_is_repea
     boxes = "() => [...document.querySelectorAll('.left *')].map((e) => Math.round(e.getBoundingClientRect().top))"
     before = here.page.evaluate(boxes)
     here.page.locator(".variant select").select_option("human")
-    here.page.wait_for_timeout(2500)  # longer than the live calls take and than the pause before a call is repeated
+    here.page.wait_for_function(ANSWERED)  # a live answer is a reason of its own to call again
+    here.page.wait_for_timeout(500)
     value = f"async () => (await import('/state/request.js')).values.value['{C_COUP}']"
     assert here.page.evaluate(value) == 10
     assert here.page.locator("#control-model-coupling").input_value() == "one_way"

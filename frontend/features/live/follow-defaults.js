@@ -4,7 +4,7 @@ import { postJson, Problem } from "../../core/api.js";
 import { LatestOnly } from "../../core/latest-only.js";
 import { modelOf, nest } from "../../core/parameters.js";
 import { awaitsDefaults, model, patch, schema, takeDefaults, takeNoDefaults } from "../../state/request.js";
-import { connection, setConnection } from "../../state/session.js";
+import { entered, setConnection } from "../../state/session.js";
 import { isBusy, RETRY_MS } from "./follow-request.js";
 
 const resolved = async (ofModel) => (await postJson("resolve", nest(ofModel))).values;
@@ -37,7 +37,7 @@ export function followDefaults() {
   const calls = new LatestOnly(resolved, take, failed);
   const ask = () => awaitsDefaults.peek() && calls.push(modelOf(patch.peek()));
   const stop = effect(() => {
-    if (!schema.value || connection.value === "login" || connection.value === "starting") return;
+    if (!schema.value || !entered.value) return;
     void model.value;
     if (awaitsDefaults.value) untracked(ask);
   });

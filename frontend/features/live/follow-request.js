@@ -11,7 +11,7 @@ import { postureRequest, simulationRequest } from "../../core/parameters.js";
 import { takePosture, takeProblem, takeResult } from "../../state/answers.js";
 import { status } from "../../state/played-voice.js";
 import { movement, patch, schema, version } from "../../state/request.js";
-import { connection, setConnection } from "../../state/session.js";
+import { entered, setConnection } from "../../state/session.js";
 import { cachedPosture, fetchMissing } from "./posture-prefetch.js";
 
 export const LIVE_S = 0.5;
@@ -26,13 +26,14 @@ export const isBusy = ({ status }) => status === 0 || status === 503 || status =
 /** Starts following the request; returns a function that stops it. */
 export function followRequest() {
   let retry = 0;
+  let newest = null;
   const failed = (call) => (error, job) => {
     if (!(error instanceof Problem)) throw error;
     if (error.status === 401) return setConnection("login");
     if (isBusy(error)) {
       setConnection("offline");
       clearTimeout(retry);
-      retry = setTimeout(() => push(job), RETRY_MS);
+      retry = setTimeout(() => push(newest), RETRY_MS);
     }
     if (job.version === version.peek()) takeProblem(call, error, job.version);
   };
@@ -68,13 +69,14 @@ export function followRequest() {
     fetchMissing();
   };
   const stop = effect(() => {
-    if (!schema.value || connection.value === "login" || connection.value === "starting") return;
+    if (!schema.value || !entered.value) return;
     const job = {
       version: version.value,
       gesture: movement.value,
       body: simulationRequest(patch.value, { duration_s: LIVE_S }),
       postureBody: postureRequest(patch.value),
     };
+    newest = job;
     recordInput(job.version);
     untracked(() => push(job));
   });
