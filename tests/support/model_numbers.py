@@ -1,4 +1,4 @@
-"""The numbers this project chose itself, by the name under which the code keeps them: a table, one row each."""
+"""The numerical constants chosen by this project, with module and name: one row of the table each."""
 
 NUMBERS = (
     ("vfcore.spec.simulation", "PAPER_STEP_S", "s", "the paper's time step: a quarter of one tract section's travel"),
@@ -33,7 +33,7 @@ NUMBERS = (
     ("vfcore.runs.one", "PHASES", "1", "instants of the stored cycle"),
     ("vfcore.runs.one", "UNREPEATED_S", "s", "length stored instead of a cycle when nothing repeats"),
     ("vfcore.kernels.flow", "SMALLEST_GAP_M", "m", "gap below which reciprocals stop growing"),
-    ("vfcore.kernels.flow", "STILL_M", "m", "smallest change of a slice's half gap that a step assumes"),
+    ("vfcore.kernels.flow", "MIN_GAP_CHANGE_M", "m", "smallest change of a slice's half gap that a step assumes"),
     ("vfcore.kernels.flow", "SMALLEST_ROOT", "Pa s/m", "keeps the flux finite where no pressure drives it"),
     ("vfcore.kernels.posture", "TOLERANCE", "1", "posture residual over the load scale of its equation"),
     ("vfcore.kernels.posture", "LONGEST_STEP", "1", "longest continuation step, as a fraction of the load"),

@@ -1,6 +1,6 @@
-"""Waves with measures known from their formulas, for the tests of the measures.
+"""Waves whose measures are known analytically, for the tests of the measures.
 
-All are functions of continuous time, sampled: nothing here depends on the code under test.
+All are sampled functions of continuous time; nothing here depends on the code under test.
 """
 
 from dataclasses import replace

@@ -7,7 +7,7 @@ import numpy as np
 
 from vfcore.airways.sound import measured_sounds
 from vfcore.airways.tract import Tract
-from vfcore.fold.march_many import OF_EACH, Marched
+from vfcore.fold.march_many import OF_EACH, MarchResult
 from vfcore.measures.pitch import Autocorrelation, autocorrelations
 from vfcore.measures.signals import Sound, window_start
 
@@ -23,7 +23,7 @@ class BatchedFFT:
     first.
     """
 
-    def __init__(self, runs: Sequence[Marched], tract: Tract):
+    def __init__(self, runs: Sequence[MarchResult], tract: Tract):
         self._runs, self._tract = runs, tract
         first = runs[0]
         self._left_out = len(first.flow_m3_s) - len(first.record)

@@ -14,8 +14,8 @@ from vfcore.airways.sound import measured_sound
 from vfcore.airways.tract import Tract
 from vfcore.errors import Cancelled, DivergenceError, ParameterError, VocalisError
 from vfcore.fold.assemble import Fold
-from vfcore.fold.march import March
-from vfcore.fold.march_many import FLOW, Marched, Motion, march_many
+from vfcore.fold.march import TimeMarch
+from vfcore.fold.march_many import FLOW, MarchInput, MarchResult, march_many
 from vfcore.fold.stability import time_step_s
 from vfcore.fold.statics import static_shape_of
 from vfcore.larynx.posture.equilibrium import solve_each_posture
@@ -88,7 +88,7 @@ def _points(
     folds = _folds(requests)
     while block := list(islice(folds, BLOCK)):
         done: dict[int, Point | VocalisError] = {}
-        motions: dict[int, Motion] = {}
+        motions: dict[int, MarchInput] = {}
         marching: dict[int, _PosturedFold] = {}
         for place, found in enumerate(block):
             try:
@@ -114,29 +114,29 @@ def _points(
             yield done[place]
 
 
-def _motion(found: _PosturedFold) -> Motion:
+def _motion(found: _PosturedFold) -> MarchInput:
     run, fold = found.request.run, found.fold
     start = static_shape_of(fold) if run.start == "static" else None
     step_s = time_step_s(run, fold)
-    motion = Motion(fold, step_s, found.request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
-    return motion._replace(left_out=unused_samples(round(run.duration_s / motion.sample_s), motion.sample_s))
+    motion = MarchInput(fold, step_s, found.request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+    return motion._replace(flow_only_samples=unused_samples(round(run.duration_s / motion.sample_s), motion.sample_s))
 
 
-def _coupled(found: _PosturedFold, stop: Stop | None) -> Marched:
+def _coupled(found: _PosturedFold, stop: Stop | None) -> MarchResult:
     """A fold coupled to its airways marches alone, and in double precision: each has its own tract in the loop.
 
     Raises DivergenceError and Cancelled.
     """
     motion = _motion(found)
     airways = airways_of(found.request, motion.time_step_s)
-    march = March(found.fold, motion.time_step_s, motion.pressure_pa, motion.rise_s, airways)
+    march = TimeMarch(found.fold, motion.time_step_s, motion.pressure_pa, motion.rise_s, airways)
     march.start_flat() if motion.start is None else march.start_static(motion.start)
     record = march.run(round(motion.duration_s / motion.sample_s), None, stop)
-    return Marched(record, record[:, FLOW], motion.sample_s)
+    return MarchResult(record, record[:, FLOW], motion.sample_s)
 
 
 #: Place in the block, what was set in motion, and what became of it.
-_Moved = tuple[int, _PosturedFold, Marched | DivergenceError]
+_Moved = tuple[int, _PosturedFold, MarchResult | DivergenceError]
 
 
 def _one_by_one(moved: Iterable[_Moved], keys: Keys) -> Iterator[tuple[int, Point | VocalisError]]:
@@ -148,7 +148,7 @@ def _batched(moved: Iterable[_Moved], keys: Keys) -> Iterator[tuple[int, Point |
     """The same with shared transforms of neighbours that are alike; those without a sound are reduced alone."""
     for kind, neighbours in groupby(moved, _likeness):
         while group := list(islice(neighbours, BATCH)):
-            batch = kind and BatchedFFT([run for _, _, run in group if isinstance(run, Marched)], kind[0])
+            batch = kind and BatchedFFT([run for _, _, run in group if isinstance(run, MarchResult)], kind[0])
             for nth, (place, found, outcome) in enumerate(group):
                 yield place, _reduced(found, outcome, keys, (batch, nth) if batch else None)
 
@@ -163,7 +163,7 @@ def _likeness(one: _Moved) -> tuple[Tract, float, int, int] | None:
 
 def _reduced(
     found: _PosturedFold,
-    outcome: Marched | DivergenceError,
+    outcome: MarchResult | DivergenceError,
     keys: Keys,
     shared: tuple[BatchedFFT, int] | None = None,
 ) -> Point | VocalisError:

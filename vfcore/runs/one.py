@@ -14,7 +14,7 @@ from vfcore.airways.coupled import airways_of
 from vfcore.airways.sound import whole_sound
 from vfcore.errors import DivergenceError
 from vfcore.fold.assemble import Fold, assemble
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import longest_stable_step_s, time_step_s
 from vfcore.fold.statics import StaticShape, static_shape_of
 from vfcore.kernels.layout import RECORD
@@ -106,7 +106,7 @@ def _run(
     fold, run = setup.fold, request.run
     step_s = step_s or time_step_s(run, fold)
     airways = airways_of(request, step_s)
-    march = March(fold, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, airways)
+    march = TimeMarch(fold, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, airways)
     march.start_static(setup.static) if run.start == "static" else march.start_flat()
     sample_s = march.time_step_s * march.record_every
     samples = round(run.duration_s / sample_s)
@@ -220,7 +220,7 @@ def signals_of(
     )
 
 
-def _cycle_bounds(report: MeasureReport, march: March, samples: int, sample_s: float) -> tuple[int, int, bool]:
+def _cycle_bounds(report: MeasureReport, march: TimeMarch, samples: int, sample_s: float) -> tuple[int, int, bool]:
     """First and last sample of the cycle to store, moved to the last whole one that can be read back."""
     if report.cycle_bounds is None:
         return max(samples - round(UNREPEATED_S / sample_s), march.oldest_sample), samples, False
@@ -235,7 +235,7 @@ def _numba_version() -> str:
     return version("numba")
 
 
-def _provenance(march: March, sample_s: float, kernel_seconds: float) -> Provenance:
+def _provenance(march: TimeMarch, sample_s: float, kernel_seconds: float) -> Provenance:
     return Provenance(
         model_version=MODEL_VERSION,
         code_version=CODE_VERSION,

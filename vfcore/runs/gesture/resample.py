@@ -6,7 +6,7 @@ import numpy as np
 
 from vfcore.errors import ParameterError
 from vfcore.io.audio import AUDIO_RATE_HZ, low_pass
-from vfcore.kernels.polyphase import heard, resample
+from vfcore.kernels.polyphase import filter_and_resample, resample
 from vfcore.runs.gesture.tract_filter import Filter
 
 
@@ -36,7 +36,7 @@ class Resampler:
 
     def hear(self, flow: np.ndarray, lips: Filter, lip: np.ndarray, audio: np.ndarray) -> None:
         """The same of what a tract makes of ``flow``, in one call: fill ``lip`` (block,) and ``audio``."""
-        heard(
+        filter_and_resample(
             flow, lips.memory[0], lips.backward[0], self._samples, self._branches, self._down, lip, audio
         )  # fmt: skip
 

@@ -10,9 +10,9 @@ import numpy as np
 from vfcore.airways.coupled import airways_of, tract_of
 from vfcore.errors import ParameterError
 from vfcore.fold.assemble import Fold
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
-from vfcore.runs.gesture.glide import GlidingFold, Goal, check_step
+from vfcore.runs.gesture.glide import FoldSpec, GlidingFold, check_step
 from vfcore.runs.gesture.resample import Resampler
 from vfcore.runs.gesture.tract_filter import Lips
 from vfcore.runs.one import posture_of, prepare
@@ -45,11 +45,11 @@ class Voice:
         if start.run.time_step_s is not None:
             raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
         beside = airways_of(start, DEFAULT_STEP_S)  # those of the first vowel: what loads the folds does not glide
-        march = March(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=beside)
+        march = TimeMarch(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=beside)
         march.start_static(ready.static) if start.run.start == "static" else march.start_flat()
         self.request, self.posture = start, ready.posture
         check_step(ready.fold, DEFAULT_STEP_S)
-        self._gliding = GlidingFold(march, Goal(start, ready.posture))
+        self._gliding = GlidingFold(march, FoldSpec(start, ready.posture))
         self._now_tract = tract_of(start)
         self._lips = Lips(self._now_tract, DEFAULT_STEP_S, BLOCK_STEPS, far=not played)
         self._resampler = Resampler(1.0 / DEFAULT_STEP_S, BLOCK_STEPS)
@@ -80,10 +80,10 @@ class Voice:
 
     def advance(self, target: Simulation, look_at: int = 0) -> Block:
         """The next block; the numbers of the request reach ``target`` at its end. ``look_at``: a step of the block."""
-        goal = self._goal(target)
+        spec = self._spec_of(target)
         tract = self._now_tract if _same_tract(target, self.request) else tract_of(target)
         record, lip, audio = self._rooms if self._played else self._new_rooms()
-        self._gliding.advance(goal, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)
+        self._gliding.advance(spec, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)
         flow = record[:, 1]
         steady = self._lips.steady(tract)
         if steady is not None:
@@ -93,7 +93,7 @@ class Voice:
             lip, *others = self._lips.push(flow, tract)
             far = others[0] if others else None
             audio = self._resampler.push(lip)
-        self.request, self.posture, self._now_tract = target, goal.posture, tract
+        self.request, self.posture, self._now_tract = target, spec.posture, tract
         self.blocks += 1
         return Block(record, lip, far, audio)
 
@@ -101,16 +101,16 @@ class Voice:
         """Where record, pressure at the lips and audio of a block go."""
         return np.empty((BLOCK_STEPS, len(RECORD))), np.empty(BLOCK_STEPS), self._resampler.empty()
 
-    def _goal(self, target: Simulation) -> Goal:
+    def _spec_of(self, target: Simulation) -> FoldSpec:
         now = self.request
         if target is now or _same_fold(target, now):
-            return self._gliding.goal
+            return self._gliding.spec
         if (target.run, target.model) != (now.run, now.model):
             raise ParameterError("model", "cannot change while the voice goes on", "a new voice")
         same_posture = (target.activation, target.posture, target.posturing, target.constants.L_0_m) == (
             now.activation, now.posture, now.posturing, now.constants.L_0_m
         )  # fmt: skip
-        return Goal(target, self.posture if same_posture else posture_of(target))
+        return FoldSpec(target, self.posture if same_posture else posture_of(target))
 
 
 def _same_tract(a: Simulation, b: Simulation) -> bool:
