@@ -54,6 +54,7 @@ quick: $(VENV)/.tested
 lint: $(VENV)/.tested node_modules/.installed
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/mypy
 	@$(NPM) run --silent lint
 
 format: $(VENV)/.tested node_modules/.installed

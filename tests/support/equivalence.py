@@ -16,7 +16,7 @@ import vfcore
 from vfcore.errors import VocalisError
 from vfcore.fold.march import TimeMarch
 from vfcore.measures.catalogue import MeasureReport
-from vfcore.runs.many import run_points
+from vfcore.runs.many import Point, run_points
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Activation, Simulation
 from vocalis.bench.reference import plain_run
 
@@ -93,7 +93,11 @@ def survey_precisions(count: int, seed: int = 1) -> list[Comparison]:
     rng = np.random.default_rng(seed)
     requests = [random_request(rng) for _ in range(count)]
     single, double = (list(run_points(requests, precision=precision)) for precision in ("float32", "float64"))
-    return [deviations(a.report, b.report) for a, b in zip(single, double, strict=True) if a.report and b.report]
+    return [
+        deviations(a.report, b.report)
+        for a, b in zip(single, double, strict=True)
+        if isinstance(a, Point) and isinstance(b, Point)
+    ]
 
 
 def report(found: list[Comparison]) -> str:

@@ -67,11 +67,13 @@ def measures() -> str:
             f"{m['definition']} `{m['formula']}`",
             m["threshold"] or "–",
             m["needs"],
+            ", ".join(f"`{name}`" for name in m["signals"]),
             m["source"],
         )
         for m in CATALOGUE.as_rows()
     )
-    return table(("key", "symbol", "unit", "definition and formula", "threshold", "given for", "source"), rows)
+    head = ("key", "symbol", "unit", "definition and formula", "threshold", "given for", "signals", "source")
+    return table(head, rows)
 
 
 def _constants(kind) -> str:

@@ -99,7 +99,6 @@ def measured_voice(request: Simulation, kind: type[FoldTwin]) -> MeasureReport:
     return measure_all(
         Signals(
             sample_rate_hz=1 / step_s,
-            time_s=record.t,
             glottal_area_m2=record.A_g_min,
             glottal_flow_m3_s=record.Q_g,
             lip_pressure_pa=still,

@@ -16,13 +16,9 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
-import platformdirs
 from numba.extending import overload, register_jitable
 
-
-def data_directory() -> Path:
-    """Directory of compiled kernels and results: ``VOCALIS_DATA`` or the user's data folder."""
-    return Path(os.environ.get("VOCALIS_DATA") or platformdirs.user_data_dir("vocalis", appauthor=False))
+from vfcore.directories import data_directory
 
 
 def _source_hash() -> str:

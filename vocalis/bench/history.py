@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from statistics import median
 
-from vfcore.kernels.jit import data_directory
+from vfcore.directories import data_directory
 
 #: Ratios watched for regressions; each is plain loop / kernel, higher is better.
 WATCHED = ("reference_ratio", "paper_step_ratio", "batch_ratio", "single_precision_ratio")
