@@ -23,7 +23,7 @@ from tests.support.synthetic_evidence import (
     touching,
     voice_of,
     wave,
-)  # fmt: skip
+)
 from vfcore.spec.simulation import PAPER_STEP_S, Simulation
 from vocalis.studies.paper import CASES, CLAIMS, Verdict, cases, evidence
 from vocalis.studies.paper.claims.claim import PICTURES
@@ -184,7 +184,7 @@ TABLE = {
         for places in ([0.2, 0.5, 0.2], [0.5, 0.2], [0.5])
     ),
     "T1": (Timing(1.0, 0.2, 0.01), Timing(1.0, 90.0, 0.01), Timing(1.0, 200.0, 0.01)),
-}  # fmt: skip
+}
 
 ROWS = [
     pytest.param(key, given, verdict, id=f"{key}-{verdict}")

@@ -71,8 +71,10 @@ def test_human_changes_constants_only_and_says_why():
         variant = VARIANTS[name]
         paper = VARIANTS["paper"]
         assert (variant.posture_set, variant.coupling_gradient, variant.shear) == (
-            paper.posture_set, paper.coupling_gradient, paper.shear,
-        )  # fmt: skip
+            paper.posture_set,
+            paper.coupling_gradient,
+            paper.shear,
+        )
         for change in variant.changes:
             assert change.value != PAPER_LARYNX.value(change.name) and len(change.why) > 20
 

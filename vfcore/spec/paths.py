@@ -107,9 +107,10 @@ def number_of(path: Any, at: str) -> str:
     """``path`` where it is that of a number; ParameterError at the place ``at`` otherwise."""
     if not isinstance(path, str) or path not in DECLARATIONS or not DECLARATIONS[path].is_number:
         raise ParameterError(
-            at, f"{path!r} is not a number of a request" if isinstance(path, str) else "is not the name of a number",
+            at,
+            f"{path!r} is not a number of a request" if isinstance(path, str) else "is not the name of a number",
             "a dotted path such as activation.ct, subglottal_pressure_pa or constants.K_col_pa_m",
-        )  # fmt: skip
+        )
     return path
 
 

@@ -49,7 +49,7 @@ GEOMETRY = {
     "ta": Geometry(0.0173, 4.09e-5, 0.2, 1.07, 0.015, 0.99, 0.0008),
     "lig": Geometry(0.0173, 6.1e-6, 1.0, 1.0, 0.0, 0.0, 0.0),
     "muc": Geometry(0.0173, 5e-6, 1.0, 1.0, 0.0, 0.0, 0.0),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +71,7 @@ _ALZAMENDI = {
     "ta": StressLaw(1000.0, 1500.0, -0.5, -0.05, 6.5, 1.5e5),
     "lig": StressLaw(500.0, 1400.0, -0.5, -0.3, 13.0, 0.0),
     "muc": StressLaw(500.0, 20000.0, -0.5, -0.3, 4.4, 0.0),
-}  # fmt: skip
+}
 #: The default comes first. ``serry2026``: the paper's own table for mucosa, ligament and TA, the other muscles as in
 #: ``alzamendi2020``. The paper says only that it tuned the constants of Alzamendi et al. (2022); which values its
 #: posturing uses is known by secondary evidence: TA with ε_m = 0.4, b = 1.07, σ_max = 100 kPa, while the table of the
@@ -115,7 +115,7 @@ POSTURE_SETS: Mapping[str, PostureSet] = {
             "muc": StressLaw(200.0, 1500.0, -0.9, -0.2, 6.5, 0.0),
         },
     ),
-}  # fmt: skip
+}
 
 # Field of PosturingConstants -> prefix of its override names.
 _PREFIX = {"lca": "LCA_", "ia": "IA_", "pca": "PCA_", "ct": "CT_", "ta": "TA_", "lig": "lig_", "muc": "muc_"}

@@ -92,7 +92,7 @@ class Model:
         tuple(POSTURE_SETS),
         source="docs/reference/constants.md",
         help="null: the variant's own",
-    )  # fmt: skip
+    )
     coupling_gradient: str = choice(
         None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model/choices.md, row 3"
     )
@@ -137,10 +137,12 @@ class Run:
     )  # fmt: skip
 
     error_estimate: bool = flag(
-        False, "error bars of the measures", source="docs/model/numerics.md",
+        False,
+        "error bars of the measures",
+        source="docs/model/numerics.md",
         help="two more runs on finer grids say how far each measure is from the limit of a fine grid; about 12 times "
         "the work",
-    )  # fmt: skip
+    )
 
     def __post_init__(self):
         validate(self, "run.")
@@ -180,9 +182,10 @@ class Simulation:
             object.__setattr__(self, "larynx", larynx_of(self.model.variant, self.model.posture_set))
         if self.run.pressure_rise_s > self.run.duration_s:
             raise ParameterError(
-                "run.pressure_rise_s", f"{self.run.pressure_rise_s:g} is longer than the run",
+                "run.pressure_rise_s",
+                f"{self.run.pressure_rise_s:g} is longer than the run",
                 f"0 to run.duration_s = {self.run.duration_s:g} s",
-            )  # fmt: skip
+            )
 
     @property
     def constants(self) -> FoldConstants:

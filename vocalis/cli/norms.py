@@ -48,7 +48,7 @@ def norms(
         int | None, typer.Option("--workers", min=1, max=256, help="worker processes; default: one for each core")
     ] = None,
     study: Annotated[bool, typer.Option("--study", help="run the calibration study instead")] = False,
-) -> None:  # fmt: skip
+) -> None:
     """Score the voice against the norms and print one line for each."""
     _refuse(variant, coupling, html_path, study)
     for option, path in (("--html", html_path), ("--json", json)):
@@ -84,8 +84,13 @@ def _refuse(variant: str | None, coupling: str | None, html_path: str | None, st
 
 
 def _bars() -> Progress:
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-               TimeElapsedColumn())  # fmt: skip
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+    )
     console = Console(stderr=True)
     return Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
 

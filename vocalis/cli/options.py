@@ -147,18 +147,22 @@ def _source_parameters():
         Annotated[
             str | None,
             typer.Option(
-                "--request", metavar="FILE|-", help="a request document in JSON; - reads it from standard input",
+                "--request",
+                metavar="FILE|-",
+                help="a request document in JSON; - reads it from standard input",
                 rich_help_panel=START,
             ),
         ],
-    )  # fmt: skip
+    )
     yield _parameter(
         "set",
         Annotated[
             list[str] | None,
             typer.Option(
-                "--set", metavar="PATH=VALUE", rich_help_panel=START,
+                "--set",
+                metavar="PATH=VALUE",
+                rich_help_panel=START,
                 help="any field of the request, repeatable: constants.K_col_pa_m=2e6, run.start=static",
             ),
         ],
-    )  # fmt: skip
+    )

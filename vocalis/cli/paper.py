@@ -57,7 +57,7 @@ def paper(
     convergence: Annotated[
         bool, typer.Option("--convergence", help="refine grid and time step instead, for the paper variant")
     ] = False,
-) -> None:  # fmt: skip
+) -> None:
     """Judge the paper's claims and print one line for each."""
     chosen = _variants(variant)
     claims = CLAIMS if only is None else {key: CLAIMS[key] for key in _keys(only)}
@@ -95,8 +95,9 @@ def _keys(text: str) -> list[str]:
     keys = [key.strip().upper() for key in text.split(",") if key.strip()]
     unknown = [key for key in keys if key not in CLAIMS]
     if unknown or not keys:
-        raise ParameterError("--only", f"{text!r} names no claim" if not keys else f"{unknown[0]} is no claim",
-                             ", ".join(CLAIMS))  # fmt: skip
+        raise ParameterError(
+            "--only", f"{text!r} names no claim" if not keys else f"{unknown[0]} is no claim", ", ".join(CLAIMS)
+        )
     return [key for key in CLAIMS if key in keys]
 
 
@@ -113,8 +114,13 @@ def _watch() -> Iterator[Callable[[str], Callable[[str, int, int], None]]]:
     if not console.is_terminal:
         yield lambda name: lambda case, done, total: None
         return
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-               TimeElapsedColumn())  # fmt: skip
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+    )
     with Progress(*columns, console=console, transient=True) as bars:
 
         def named(name: str) -> Callable[[str, int, int], None]:

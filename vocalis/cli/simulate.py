@@ -45,20 +45,19 @@ def simulate(
     normalize: Annotated[
         bool,
         typer.Option(
-            "--normalize/--no-normalize", rich_help_panel=_OUTPUT,
+            "--normalize/--no-normalize",
+            rich_help_panel=_OUTPUT,
             help="peak of the sound at -3 dBFS, or the same scale for every run",
         ),
     ] = True,
     netcdf: Annotated[
         _File,
-        typer.Option(
-            "--netcdf", metavar="FILE", help="waveforms, fields, measures: netCDF-4", rich_help_panel=_OUTPUT
-        ),
+        typer.Option("--netcdf", metavar="FILE", help="waveforms, fields, measures: netCDF-4", rich_help_panel=_OUTPUT),
     ] = None,
     csv: Annotated[
         _File, typer.Option("--csv", metavar="FILE", help="the measures as a table", rich_help_panel=_OUTPUT)
     ] = None,
-) -> None:  # fmt: skip
+) -> None:
     """Run a request and say what came of it."""
     for option, path in (("--wav", wav), ("--netcdf", netcdf), ("--csv", csv)):
         check_writable(option, path)

@@ -46,7 +46,9 @@ def sweep(
     axis: Annotated[
         list[str] | None,
         typer.Option(
-            "--axis", metavar="PATH=VALUES", rich_help_panel=_AXES,
+            "--axis",
+            metavar="PATH=VALUES",
+            rich_help_panel=_AXES,
             help="0:1:21 for 21 values, or 0,0.5,1; up to three times; PATH,PATH=… ties several",
         ),
     ] = None,
@@ -80,7 +82,9 @@ def sweep(
     resume: Annotated[
         _File,
         typer.Option(
-            "--resume", metavar="FILE", rich_help_panel=_HOW,
+            "--resume",
+            metavar="FILE",
+            rich_help_panel=_HOW,
             help="the journal; kept. Without it: OUTPUT.journal, which goes when the output is written",
         ),
     ] = None,
@@ -92,7 +96,7 @@ def sweep(
     csv: Annotated[
         _File, typer.Option("--csv", metavar="FILE", help="a line per point", rich_help_panel=_OUTPUT)
     ] = None,
-) -> None:  # fmt: skip
+) -> None:
     """Run a sweep and say what came of it."""
     for option, path in (("--netcdf", netcdf), ("--csv", csv), ("--resume", resume)):
         check_writable(option, path)

@@ -88,9 +88,13 @@ def collect(
             progress(len(blocks) / count)
     waves = _waves(blocks, voice.fold.nx)
     return RenderedGesture(
-        gesture, waves, _contours(gesture, waves, states), tuple(_segments(gesture, waves, states)),
-        np.concatenate([block.audio_pa for block in blocks]), voice.audio_delay_s,
-    )  # fmt: skip
+        gesture,
+        waves,
+        _contours(gesture, waves, states),
+        tuple(_segments(gesture, waves, states)),
+        np.concatenate([block.audio_pa for block in blocks]),
+        voice.audio_delay_s,
+    )
 
 
 def _waves(blocks: list[Block], nx: int) -> dict[str, np.ndarray]:

@@ -36,9 +36,7 @@ class Resampler:
 
     def hear(self, flow: np.ndarray, lips: Filter, lip: np.ndarray, audio: np.ndarray) -> None:
         """The same of what a tract makes of ``flow``, in one call: fill ``lip`` (block,) and ``audio``."""
-        heard(
-            flow, lips.memory[0], lips.backward[0], self._samples, self._branches, self._down, lip, audio
-        )  # fmt: skip
+        heard(flow, lips.memory[0], lips.backward[0], self._samples, self._branches, self._down, lip, audio)
 
     def empty(self) -> np.ndarray:
         """Room for the audio of one block."""

@@ -108,8 +108,11 @@ class Voice:
         if (target.run, target.model) != (now.run, now.model):
             raise ParameterError("model", "cannot change while the voice goes on", "a new voice")
         same_posture = (target.activation, target.posture, target.posturing, target.constants.L_0_m) == (
-            now.activation, now.posture, now.posturing, now.constants.L_0_m
-        )  # fmt: skip
+            now.activation,
+            now.posture,
+            now.posturing,
+            now.constants.L_0_m,
+        )
         return Goal(target, self.posture if same_posture else posture_of(target))
 
 

@@ -36,9 +36,10 @@ def check_cost(sweep: Sweep, points: int, node_steps: float, setting_points: str
     total = point_node_steps(sweep) * len(sweep)
     if total > node_steps:
         raise ParameterError(
-            path, f"{len(sweep)} runs are up to {total:.2g} node-steps",
+            path,
+            f"{len(sweep)} runs are up to {total:.2g} node-steps",
             f"up to {node_steps:g} node-steps ({setting_steps}): fewer points, shorter runs or a coarser grid",
-        )  # fmt: skip
+        )
 
 
 def _varied(sweep: Sweep):

@@ -49,9 +49,10 @@ def sweep_from_dict(document: Mapping[str, Any]) -> Sweep:
         raise ParameterError("precision", "and keep_waveforms do not go together", "float64, or no waveforms")
     if sweep.keep_waveforms and len(sweep) > MOST_WITH_WAVEFORMS:
         raise ParameterError(
-            "keep_waveforms", f"{len(sweep)} points are too many to keep the waveforms of",
+            "keep_waveforms",
+            f"{len(sweep)} points are too many to keep the waveforms of",
             f"up to {MOST_WITH_WAVEFORMS} points",
-        )  # fmt: skip
+        )
     return sweep
 
 

@@ -106,9 +106,11 @@ def csv_lines(table: SweepTable) -> Iterator[str]:
         yield _line(
             [
                 *(repr(given[path]) if path in given else "" for path in paths),
-                states[position], *values, table.problems.get(position, ""),
+                states[position],
+                *values,
+                table.problems.get(position, ""),
             ]
-        )  # fmt: skip
+        )
 
 
 def _line(cells: list[str]) -> str:

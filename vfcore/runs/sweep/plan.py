@@ -63,10 +63,8 @@ class Sweep:
             return self.points[position]
         places = np.unravel_index(position, self.shape)
         return {
-            path: axis.values[place]
-            for axis, place in zip(self.axes, places, strict=True)
-            for path in axis.parameters
-        }  # fmt: skip
+            path: axis.values[place] for axis, place in zip(self.axes, places, strict=True) for path in axis.parameters
+        }
 
     def request(self, position: int) -> Simulation:
         """The simulation of one point; ParameterError where its numbers do not go together."""

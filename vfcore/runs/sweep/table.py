@@ -100,7 +100,10 @@ class SweepTable:
             "n_failed": self.n_failed,
             "axes": [
                 {
-                    "name": axis.name, "parameters": list(axis.parameters), "label": axis.label, "unit": axis.unit,
+                    "name": axis.name,
+                    "parameters": list(axis.parameters),
+                    "label": axis.label,
+                    "unit": axis.unit,
                     "values": list(axis.values),
                 }
                 for axis in sweep.axes
@@ -112,7 +115,7 @@ class SweepTable:
                 {"index": int(position), "detail": self.problems[position]} for position in sorted(self.problems)
             ],
             "pending": np.flatnonzero(self.state == PENDING).tolist(),
-        }  # fmt: skip
+        }
 
     def _measure(self, key: str) -> Mapping[str, Any]:
         quantity = self.columns[key]

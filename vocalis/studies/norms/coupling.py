@@ -70,9 +70,7 @@ def effects(result: SimulationResult) -> dict[str, Any]:
 
 def fo_over_f1(pressure_pa: float = 800.0) -> list[dict[str, float]]:
     """f_o of the human voice in the posture of the norms, under uniform tubes of falling F1."""
-    base = resolve(
-        {"model": {"variant": "human", "coupling": "two_way"}, "activation": asdict(POSTURE)}
-    )  # fmt: skip
+    base = resolve({"model": {"variant": "human", "coupling": "two_way"}, "activation": asdict(POSTURE)})
     fold = prepare(base).fold
     air = base.constants
     below = airways("a", air.rho_a_kg_m3, air.c_a_m_s, DEFAULT_STEP_S)

@@ -91,8 +91,10 @@ def base_of(values: Mapping[str, float]) -> Simulation:
 def request_of(constants: Mapping[str, float], activation: Mapping[str, float]) -> Simulation:
     """A request with these, two-way coupled, all other constants the paper's."""
     document: dict[str, Any] = {
-        "model": {"coupling": "two_way"}, "activation": dict(activation), "constants": dict(constants),
-    }  # fmt: skip
+        "model": {"coupling": "two_way"},
+        "activation": dict(activation),
+        "constants": dict(constants),
+    }
     return resolve(document)
 
 

@@ -97,9 +97,13 @@ def _vowels(pairs: Sequence[Mapping[str, Any]]) -> str:
         for way in ("one_way", "two_way"):
             e = pair[way]
             numbers = (
-                (e["fo_hz"], 1), (e["skew"], 2), (e["ac_flow_ml_s"], 0), (e["mfdr_l_s2"], 0), (e["peak_area_mm2"], 1),
+                (e["fo_hz"], 1),
+                (e["skew"], 2),
+                (e["ac_flow_ml_s"], 0),
+                (e["mfdr_l_s2"], 0),
+                (e["peak_area_mm2"], 1),
                 (e["spl_30cm_db"], 1),
-            )  # fmt: skip
+            )
             cells = (_DASH if v is None else f"{v:.{digits}f}" for v, digits in numbers)
             lines.append((pair["variant"], f"/{pair['vowel']}/", way, e["state"], *cells))
     return _table(

@@ -68,9 +68,14 @@ def _calibration_row(candidate: Mapping[str, Any], names: Sequence[str]) -> tupl
     factors = candidate["constants"] | candidate["activation"] | {"lca_ia": candidate["activation"]["lca"]}
     counts = " / ".join(str(candidate["score"][verdict]) for verdict in Verdict)
     return (
-        str(candidate["in_range"]), counts, ", ".join(candidate["lost"]) or "none", str(candidate["kept"]),
-        *(f"{factors[name]:.3g}" for name in names), ", ".join(missed), ", ".join(candidate["failed"]),
-    )  # fmt: skip
+        str(candidate["in_range"]),
+        counts,
+        ", ".join(candidate["lost"]) or "none",
+        str(candidate["kept"]),
+        *(f"{factors[name]:.3g}" for name in names),
+        ", ".join(missed),
+        ", ".join(candidate["failed"]),
+    )
 
 
 _STYLE = """

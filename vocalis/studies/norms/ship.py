@@ -84,8 +84,11 @@ def coupling(pool: ProcessPoolExecutor) -> dict[str, Any]:
 
 
 MADE: dict[str, Callable[[ProcessPoolExecutor], dict[str, Any]]] = {
-    "norms": norms, "claims": claims, "coupling": coupling, "calibration": study_document,
-}  # fmt: skip
+    "norms": norms,
+    "claims": claims,
+    "coupling": coupling,
+    "calibration": study_document,
+}
 
 
 def shipped(name: str) -> dict[str, Any]:

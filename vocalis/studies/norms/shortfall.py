@@ -32,9 +32,11 @@ TRENDS = {key: claim for key, claim in PHYSICS.items() if key not in ("M2", "M3"
 RANK = {PASS: 0, DEVIATION: 1, FAIL: 2}
 #: Runs in the order of what they cost per thing learnt; a set that can no longer win is not run any further.
 STAGES = (
-    ("static_adduction", "static_ta", "static_ct", "static_pca", "modal"), ("pca_half", "pca_full"), ("ct_ta_map",),
+    ("static_adduction", "static_ta", "static_ct", "static_pca", "modal"),
+    ("pca_half", "pca_full"),
+    ("ct_ta_map",),
     ("pca_sweep",),
-)  # fmt: skip
+)
 #: Cells of the map: CT by TA.
 COARSE = (evenly(5), evenly(10))
 #: One of the wanted norms a range's width away; one of the others; a claim worse than allowed; a claim short of pass.

@@ -46,5 +46,10 @@ def seen(maps: ActivationMap, values: np.ndarray, states: tuple[str, ...] = STAT
 def coverage_part(values: np.ndarray) -> Part:
     """How much of the map the claim was judged on."""
     share = float(np.isfinite(values).mean())
-    return Part("judged cells", share, "of the map", f"judged on {share:.0%} of the map",
-                at_least(share, COVERED_GOOD, COVERED_FAIR))  # fmt: skip
+    return Part(
+        "judged cells",
+        share,
+        "of the map",
+        f"judged on {share:.0%} of the map",
+        at_least(share, COVERED_GOOD, COVERED_FAIR),
+    )

@@ -65,11 +65,16 @@ def contact_climbs(voice: Voice) -> Outcome:
     lag = float(onset[-1] - onset.min()) * step_ms
     return conclude(
         Part("first contact", first, "y/b", f"contact starts at y/b {first:.2f}", at_least(first, 1 - THIRD, HALF)),
-        Part("rows in rising order", order, "1", f"{order:.0%} of the rows touch no earlier than the one below",
-             at_least(order, CLIMB_GOOD, CLIMB_FAIR)),
+        Part(
+            "rows in rising order",
+            order,
+            "1",
+            f"{order:.0%} of the rows touch no earlier than the one below",
+            at_least(order, CLIMB_GOOD, CLIMB_FAIR),
+        ),
         Part("highest row reached", top, "y/b", f"it reaches y/b {top:.2f}", at_most(top, THIRD, HALF)),
         Part("delay of the highest row", lag, "ms", f"{lag:.2f} ms later", above(lag, 0.0, 0.0)),
-    )  # fmt: skip
+    )
 
 
 @on_cycle
@@ -127,10 +132,15 @@ def flow_is_no_copy(voice: Voice) -> Outcome:
     rms = float(np.sqrt(np.mean(difference**2)))
     dips = between(dip, (DIP, DIP_MOST), (-np.inf, np.inf))
     return conclude(
-        Part("rms difference to a scaled area", rms, "1", f"flow and area, each over its peak, differ by {rms:.0%} rms",
-             at_least(rms, COPY, COPY)),
+        Part(
+            "rms difference to a scaled area",
+            rms,
+            "1",
+            f"flow and area, each over its peak, differ by {rms:.0%} rms",
+            at_least(rms, COPY, COPY),
+        ),
         Part("dip of the flow by the area peak", dip, "1", f"at the area peak the flow has fallen by {dip:.1%}", dips),
-    )  # fmt: skip
+    )
 
 
 def _share(flags: np.ndarray) -> float:
@@ -139,7 +149,10 @@ def _share(flags: np.ndarray) -> float:
 
 CLAIMS = (
     Claim(
-        key="M5", title="Convergent while opening, divergent while closing", needs=("modal",), picture="cycle",
+        key="M5",
+        title="Convergent while opening, divergent while closing",
+        needs=("modal",),
+        picture="cycle",
         check=converges_then_diverges,
         paper_says="During opening the glottis is predominantly convergent, during closing predominantly divergent "
         f"({PLACE}, lower panels).",
@@ -148,7 +161,10 @@ CLAIMS = (
         f"{HALF:.0%} of each. Fail: less.",
     ),
     Claim(
-        key="M6", title="Contact starts inferiorly and travels up", needs=("modal",), picture="cycle",
+        key="M6",
+        title="Contact starts inferiorly and travels up",
+        needs=("modal",),
+        picture="cycle",
         check=contact_climbs,
         paper_says="While closing, contact begins near the inferior edge and then spreads to the superior one "
         f"({PLACE}).",
@@ -159,7 +175,10 @@ CLAIMS = (
         "otherwise, or no delay.",
     ),
     Claim(
-        key="M7", title="Contact pressure turns negative at separation", needs=("modal",), picture="cycle",
+        key="M7",
+        title="Contact pressure turns negative at separation",
+        needs=("modal",),
+        picture="cycle",
         check=separation_sucks,
         paper_says="As the folds begin to separate the contact pressure becomes negative, from the damping in the "
         f"contact law ({PLACE}).",
@@ -168,7 +187,10 @@ CLAIMS = (
         "smaller, or not followed by separation. Fail: never negative.",
     ),
     Claim(
-        key="M8", title="Air pressure pushes while opening, hardly while closing", needs=("modal",), picture="cycle",
+        key="M8",
+        title="Air pressure pushes while opening, hardly while closing",
+        needs=("modal",),
+        picture="cycle",
         check=pressure_drives_opening,
         paper_says="During opening the aerodynamic pressure on the medial surface is predominantly positive; during "
         f"closing its size is much reduced over much of the surface, except near local obstructions ({PLACE}).",
@@ -179,7 +201,10 @@ CLAIMS = (
         "otherwise.",
     ),
     Claim(
-        key="M9", title="Flow is not a scaled copy of area", needs=("modal",), picture="waveforms",
+        key="M9",
+        title="Flow is not a scaled copy of area",
+        needs=("modal",),
+        picture="waveforms",
         check=flow_is_no_copy,
         paper_says="The flow is not simply the area rescaled: it drops slightly near the end of opening and declines "
         f"unevenly during closing ({PLACE}).",
@@ -187,4 +212,4 @@ CLAIMS = (
         f"and at the area peak the flow has fallen by {DIP:.0%} to {DIP_MOST:.0%} from its own earlier peak. "
         "Deviation: they differ, without such a dip. Fail: they do not differ.",
     ),
-)  # fmt: skip
+)

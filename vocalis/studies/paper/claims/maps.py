@@ -156,7 +156,10 @@ def _mean(values: np.ndarray) -> float:
 
 CLAIMS = (
     Claim(
-        key="A5", title="No sustained phonation at high TA", needs=("ct_ta_map",), picture="map",
+        key="A5",
+        title="No sustained phonation at high TA",
+        needs=("ct_ta_map",),
+        picture="map",
         check=high_ta_is_blank,
         paper_says="Some combinations give no sustained, physiologically relevant oscillation, primarily at high TA, "
         f"where the shortened membrane has too little tension ({PLACE}, blank regions).",
@@ -167,7 +170,10 @@ CLAIMS = (
         f"{MORE_THAN_CHANCE:.0%} at TA ≥ 0.5 (chance gives half), anywhere in CT. Fail: otherwise.",
     ),
     Claim(
-        key="A6", title="Mean flow falls with TA, hardly moves with CT", needs=("ct_ta_map",), picture="map",
+        key="A6",
+        title="Mean flow falls with TA, hardly moves with CT",
+        needs=("ct_ta_map",),
+        picture="map",
         check=ta_lowers_flow,
         paper_says=f"Mean flow generally decreases with TA; CT has a relatively modest influence ({PLACE}).",
         definition=f"Pass: mean flow falls in {GENERALLY_GOOD:.0%} of the pairs of neighbouring cells along TA, and "
@@ -175,7 +181,10 @@ CLAIMS = (
         f"{GENERALLY_FAIR:.0%} of the pairs; CT moves it no more than TA. Fail: otherwise. {COVERAGE}",
     ),
     Claim(
-        key="A7", title="Loudest at high CT and low TA, across a quiet cone", needs=("ct_ta_map",), picture="map",
+        key="A7",
+        title="Loudest at high CT and low TA, across a quiet cone",
+        needs=("ct_ta_map",),
+        picture="map",
         check=loud_at_high_ct,
         paper_says="SPL is largest at high CT, above all with little TA; a cone of low SPL separates two louder "
         f"regions ({PLACE}).",
@@ -186,14 +195,21 @@ CLAIMS = (
         f"region is a cone, and not another band, is left to the eye. {COVERAGE}",
     ),
     Claim(
-        key="A8", title="SQ largest at low CT", needs=("ct_ta_map",), picture="map", check=sq_falls_with_ct,
+        key="A8",
+        title="SQ largest at low CT",
+        needs=("ct_ta_map",),
+        picture="map",
+        check=sq_falls_with_ct,
         paper_says=f"The largest SQ generally occur at low CT; SQ tends to decrease as CT rises ({PLACE}).",
         definition="Pass: two thirds of the highest tenth of SQ lie at CT ≤ 1/3, and the rank correlation of SQ with "
         f"CT (median over TA columns) is −{TENDS:g} or below. Deviation: one third of them (chance gives as much); a "
         f"negative correlation. Fail: otherwise. {COVERAGE}",
     ),
     Claim(
-        key="A9", title="CQ rises with TA between two low regions", needs=("ct_ta_map",), picture="map",
+        key="A9",
+        title="CQ rises with TA between two low regions",
+        needs=("ct_ta_map",),
+        picture="map",
         check=cq_has_two_low_regions,
         paper_says="Overall CQ increases with TA; it is low along TA = 0 and along a diagonal from the origin to "
         f"about TA 0.8, CT 0.4, with higher values between ({PLACE}).",
@@ -203,4 +219,4 @@ CLAIMS = (
         "maxima on both sides. Deviation: a positive correlation; mean CQ at TA 0 below the map's mean; a third of "
         f"the rows. Fail: otherwise. {COVERAGE}",
     ),
-)  # fmt: skip
+)

@@ -74,14 +74,21 @@ def static_is_flat_and_closed(voice: Voice) -> Outcome:
 
 CLAIMS = (
     Claim(
-        key="M1", title="Modal phonation is sustained and periodic", needs=("modal",), picture="waveforms",
+        key="M1",
+        title="Modal phonation is sustained and periodic",
+        needs=("modal",),
+        picture="waveforms",
         check=modal_is_periodic,
         paper_says=f"The area waveform opens and closes periodically, as sustained phonation does ({PLACE}).",
         definition="Phonation state of the last half of the run (vfcore.measures). Pass: periodic. Deviation: "
         "subharmonic. Fail: irregular or none.",
     ),
     Claim(
-        key="M2", title="Speed quotient 1.52", needs=("modal",), picture="waveforms", check=speed_quotient,
+        key="M2",
+        title="Speed quotient 1.52",
+        needs=("modal",),
+        picture="waveforms",
+        check=speed_quotient,
         paper_says=f"SQ = {SQ_PAPER}; healthy modal voices range from about 1.3 to 2.8 ({PLACE}).",
         definition=f"Catalogue measure speed_quotient. Pass: within ±{SQ_GOOD:g} of {SQ_PAPER}. SQ hangs on where a "
         "flat area peak and two shallow closures are read: the paper states neither its closed threshold nor its "
@@ -90,14 +97,21 @@ CLAIMS = (
         "both.",
     ),
     Claim(
-        key="M3", title="Closed quotient 0.49", needs=("modal",), picture="waveforms", check=closed_quotient,
+        key="M3",
+        title="Closed quotient 0.49",
+        needs=("modal",),
+        picture="waveforms",
+        check=closed_quotient,
         paper_says=f"CQ = {CQ_PAPER}: closed for about half of the period, as healthy adults are on average ({PLACE}).",
         definition=f"Catalogue measure closed_quotient. Pass: within ±{CQ_GOOD:g} of {CQ_PAPER}; the paper states no "
         "closed threshold, and in prototypes of these equations thresholds from 0 to 2% of the peak moved CQ by "
         f"0.024, the grid by 0.01. Deviation: within ±{CQ_FAIR:g}, still about half of the period. Fail: beyond.",
     ),
     Claim(
-        key="M4", title="The modal folds rest nearly flat and closed", needs=("modal",), picture="static_shapes",
+        key="M4",
+        title="The modal folds rest nearly flat and closed",
+        needs=("modal",),
+        picture="static_shapes",
         check=static_is_flat_and_closed,
         paper_says="The static shape is nearly flat and completely closed; vibrating shapes are much more convex or "
         f"concave ({PLACE}, top-right panel).",
@@ -105,4 +119,4 @@ CLAIMS = (
         f"{FLAT_GOOD:.0%} of L; largest |w_m| in the cycle at least {DYNAMIC_GOOD:g} times that. Deviation: closed "
         f"along 90%; at most {FLAT_FAIR:.0%} of L; as large in the cycle as at rest. Fail: otherwise.",
     ),
-)  # fmt: skip
+)

@@ -59,11 +59,16 @@ def contact_pressure_rises_late(sweep: PcaSweep) -> Outcome:
     return conclude(
         _known_part(sweep, known),
         Part("early rise", rise, "%", f"contact pressure first rises by {rise:.1f}%", between(rise, *small)),
-        Part("fall", -fall, "%", f"then falls by {-fall:.1f}%, from PCA {pca[top]:g} to {pca[bottom]:g}",
-             between(-fall, *small)),
+        Part(
+            "fall",
+            -fall,
+            "%",
+            f"then falls by {-fall:.1f}%, from PCA {pca[top]:g} to {pca[bottom]:g}",
+            between(-fall, *small),
+        ),
         Part("late rise", late, "%", f"then rises by {late:.1f}% up to PCA 1", at_least(late, LATE_GOOD, LATE_FAIR)),
         Part("PCA of the highest pressure", at, "1", f"the highest, {p.max():.0f} Pa, comes at PCA {at:g}", ends_high),
-    )  # fmt: skip
+    )
 
 
 def _largest_fall(p: np.ndarray) -> tuple[int, int]:
@@ -129,7 +134,10 @@ def _known_part(sweep: PcaSweep, known: np.ndarray) -> Part:
 
 CLAIMS = (
     Claim(
-        key="P1", title="PCA 0.5 phonates with a lasting posterior opening", needs=("pca_half",), picture="cycle",
+        key="P1",
+        title="PCA 0.5 phonates with a lasting posterior opening",
+        needs=("pca_half",),
+        picture="cycle",
         check=posterior_gap_voice,
         paper_says="With PCA 0.5 the waveforms stay periodic and the glottis mostly converges while opening and "
         f"diverges while closing, with a posterior opening that persists ({SECTION}: {EXEMPLAR}).",
@@ -138,8 +146,11 @@ CLAIMS = (
         "deviation of M5. Fail: otherwise.",
     ),
     Claim(
-        key="P2", title="Contact pressure: up a little, down a little, then far up", needs=("pca_sweep",),
-        picture="curve", check=contact_pressure_rises_late,
+        key="P2",
+        title="Contact pressure: up a little, down a little, then far up",
+        needs=("pca_sweep",),
+        picture="curve",
+        check=contact_pressure_rises_late,
         paper_says="With rising PCA the maximum contact pressure rises modestly, falls slightly, and beyond a "
         f"critical PCA rises substantially, with its peak at PCA 1 ({SECTION}: {FORCES}).",
         definition="contact_pressure_max_pa over PCA. The fall is the largest one before the last level; the early "
@@ -150,7 +161,10 @@ CLAIMS = (
         "Fail: otherwise, or no value at PCA 0 or 1.",
     ),
     Claim(
-        key="P3", title="The place of highest contact jumps forward and returns", needs=("pca_sweep",), picture="curve",
+        key="P3",
+        title="The place of highest contact jumps forward and returns",
+        needs=("pca_sweep",),
+        picture="curve",
         check=contact_place_shifts,
         paper_says="Up to moderate PCA the place stays near mid-fold; near PCA 0.7 it shifts clearly forward, has a "
         f"cusp near 0.8, and then moves back ({SECTION}: {FORCES}).",
@@ -161,8 +175,11 @@ CLAIMS = (
         "repeating phonation. Fail: otherwise, or no value at PCA 0 or 1.",
     ),
     Claim(
-        key="P4", title="PCA 1: higher modes, contact in alternating regions", needs=("pca_full", "pca_half"),
-        picture="cycle", check=higher_modes,
+        key="P4",
+        title="PCA 1: higher modes, contact in alternating regions",
+        needs=("pca_full", "pca_half"),
+        picture="cycle",
+        check=higher_modes,
         paper_says="At PCA 1 the waveforms remain periodic; higher-order anterior–posterior modes appear that "
         f"moderate PCA does not show, and the peak contact alternates between regions within the cycle ({SECTION}: "
         f"{FORCES}).",
@@ -172,4 +189,4 @@ CLAIMS = (
         f"third at least {CHANGES_GOOD} times a cycle. Deviation: subharmonic; less energy in them; "
         f"{MODES_GROWTH_FAIR:g} times their share; one change. Fail: otherwise, or no phonation.",
     ),
-)  # fmt: skip
+)

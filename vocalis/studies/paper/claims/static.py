@@ -59,9 +59,14 @@ def adducted_shapes_open_anteriorly(series: StaticSeries) -> Outcome:
     return conclude(
         Part("posteriorly closed shapes", float(n), "", f"{n} levels close the glottis posteriorly", PASS),
         Part("open anteriorly", opened, "1", f"{opened:.0%} of them are open anteriorly", at_least(opened, 1.0, 0.5)),
-        Part("more open in front", in_front, "1", f"{in_front:.0%} more in front than behind",
-             at_least(in_front, 1.0, 0.5)),
-    )  # fmt: skip
+        Part(
+            "more open in front",
+            in_front,
+            "1",
+            f"{in_front:.0%} more in front than behind",
+            at_least(in_front, 1.0, 0.5),
+        ),
+    )
 
 
 def ta_bulges(series: StaticSeries) -> Outcome:
@@ -142,7 +147,10 @@ def pca_opens(series: StaticSeries) -> Outcome:
 
 CLAIMS = (
     Claim(
-        key="S1", title="Adduction closes the posterior gap", needs=("static_adduction",), picture="static_shapes",
+        key="S1",
+        title="Adduction closes the posterior gap",
+        needs=("static_adduction",),
+        picture="static_shapes",
         check=adduction_closes,
         paper_says="Raising LCA and IA together, with CT 0.1 and TA 0, shrinks the posterior gap step by step until "
         f"it closes ({PLACE}, top left).",
@@ -151,16 +159,22 @@ CLAIMS = (
         f"left, by up to {REST_FAIR:.0%} of the first gap. Fail: otherwise.",
     ),
     Claim(
-        key="S2", title="Without TA the adducted folds stay open in front", needs=("static_adduction",),
-        picture="static_shapes", check=adducted_shapes_open_anteriorly,
+        key="S2",
+        title="Without TA the adducted folds stay open in front",
+        needs=("static_adduction",),
+        picture="static_shapes",
+        check=adducted_shapes_open_anteriorly,
         paper_says=f"Because TA is relaxed, the shapes of that series keep an anterior opening ({PLACE}, top left).",
         definition=f"Levels whose gap at x = L is closed. Pass: each is open over at least {OPENING_LENGTH:.0%} of "
         "the length within the anterior half, and has more open area in front of mid-fold than behind. Deviation: "
         "each of the two for at least half of these levels. Fail: fewer, or no level closes posteriorly.",
     ),
     Claim(
-        key="S3", title="TA bulges the folds and leaves a posterior opening", needs=("static_ta",),
-        picture="static_shapes", check=ta_bulges,
+        key="S3",
+        title="TA bulges the folds and leaves a posterior opening",
+        needs=("static_ta",),
+        picture="static_shapes",
+        check=ta_bulges,
         paper_says="Raising TA with CT 0.1 and LCA = IA 0.5 bulges the body medially more and more; the glottis "
         f"closes in front and mid-fold while a posterior opening persists ({PLACE}, top right).",
         definition=f"TA 0 … 1. Pass: the bulge (largest medial beam displacement) grows in {STEPS_GOOD:.0%} of the "
@@ -169,7 +183,10 @@ CLAIMS = (
         "though not at 1; open behind in at least half of those levels. Fail: otherwise.",
     ),
     Claim(
-        key="S4", title="TA makes the inferior edge lead mid-fold", needs=("static_ta",), picture="static_shapes",
+        key="S4",
+        title="TA makes the inferior edge lead mid-fold",
+        needs=("static_ta",),
+        picture="static_shapes",
         check=inferior_edge_leads,
         paper_says="In that series the inferior edge moves medially ahead of the superior one near mid-fold, which "
         f"makes the glottis divergent; near both ends this is largely absent ({PLACE}, text on the top-right panel).",
@@ -179,7 +196,10 @@ CLAIMS = (
         "divergent, or the ends have half of it or more but less than all. Fail: otherwise.",
     ),
     Claim(
-        key="S5", title="CT lengthens and straightens the folds", needs=("static_ct",), picture="static_shapes",
+        key="S5",
+        title="CT lengthens and straightens the folds",
+        needs=("static_ct",),
+        picture="static_shapes",
         check=ct_straightens,
         paper_says="Raising CT with LCA = IA 0.5 and TA 0.2 elongates the folds and makes them progressively "
         f"straighter, with less medial curvature ({PLACE}, bottom left).",
@@ -188,7 +208,10 @@ CLAIMS = (
         f"overall. Deviation: {STEPS_FAIR:.0%} of the steps; a bow that loses anything. Fail: otherwise.",
     ),
     Claim(
-        key="S6", title="PCA opens closed folds posteriorly", needs=("static_pca",), picture="static_shapes",
+        key="S6",
+        title="PCA opens closed folds posteriorly",
+        needs=("static_pca",),
+        picture="static_shapes",
         check=pca_opens,
         paper_says="With LCA = IA 0.8 and TA 0.5 the glottis starts fully closed; raising PCA abducts the back of "
         f"the folds progressively and opens the glottis there ({PLACE}, bottom right; CT not printed, 0.3 taken).",
@@ -197,4 +220,4 @@ CLAIMS = (
         f"behind mid-fold. Deviation: closed along 90% at 0; steps back of up to {REST_FAIR:.0%} of the last gap; "
         "half of the area behind. Fail: otherwise.",
     ),
-)  # fmt: skip
+)

@@ -109,9 +109,10 @@ def last_changes(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
             coarse, before, after = (row["measures"][key] for row in shortest)
             longer = own[-2]["measures"][key]
             changes = {
-                "first_grid": _change(coarse, before), "last_grid": _change(before, after),
+                "first_grid": _change(coarse, before),
+                "last_grid": _change(before, after),
                 "last_step": _change(longer, after),
-            }  # fmt: skip
+            }
             checked = [changes["last_grid"], changes["last_step"]]
             met = all(change is not None and abs(change) < bound for change in checked)
             absent = all(row["measures"][key] == 0 for row in own)

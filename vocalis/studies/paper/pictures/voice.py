@@ -97,8 +97,9 @@ def lasting_gap(voice: Voice) -> Plot:
     gap = slice_gap(voice.w_m, voice.medial_m) * MM
     x = voice.x_m * MM
     least, most = gap[int(voice.area_m2.argmin())], gap[int(voice.area_m2.argmax())]
-    plot = Plot("Gap along the folds", spanning("distance from the anterior end, mm", x),
-                spanning("gap, mm", most, zero=True))  # fmt: skip
+    plot = Plot(
+        "Gap along the folds", spanning("distance from the anterior end, mm", x), spanning("gap, mm", most, zero=True)
+    )
     plot.line(x, most, COLORS[1], label="at the largest area")
     plot.line(x, least, COLORS[0], label="at the smallest area")
     return plot

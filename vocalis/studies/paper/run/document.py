@@ -36,9 +36,11 @@ class Scored(NamedTuple):
 
 
 def score_variant(
-    variant: str, pool: ProcessPoolExecutor, claims: Mapping[str, Claim] = CLAIMS,
+    variant: str,
+    pool: ProcessPoolExecutor,
+    claims: Mapping[str, Claim] = CLAIMS,
     progress: Callable[[str, int, int], None] = lambda case, done, total: None,
-) -> Scored:  # fmt: skip
+) -> Scored:
     """Run and judge ``claims`` for one model variant, with the source–tract coupling it is meant with."""
     began = perf_counter()
     base = resolve({"model": {"variant": variant, "coupling": VARIANTS[variant].coupling}})

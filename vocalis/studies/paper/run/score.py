@@ -15,8 +15,16 @@ from vocalis.studies.paper.claims.registry import CLAIMS
 from vocalis.studies.paper.run.gather import Failure
 
 #: What decides a verdict; the runs, reports and pictures do not.
-DEFINITIONS = ("bands.py", "cases.py", "claims/*.py", "evidence.py", "geometry.py",
-               "trends.py", "vibration.py", "voicing.py")  # fmt: skip
+DEFINITIONS = (
+    "bands.py",
+    "cases.py",
+    "claims/*.py",
+    "evidence.py",
+    "geometry.py",
+    "trends.py",
+    "vibration.py",
+    "voicing.py",
+)
 
 
 def definitions_hash(room: Path = Path(__file__).parents[1]) -> str:
