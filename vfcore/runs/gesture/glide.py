@@ -140,14 +140,9 @@ class GlidingFold:
             self._inferior_stiff = request.model.coupling_gradient == "inferior_stiff"
         at = (posture.strain, request.activation.ta, posture.glottal_half_angle_rad, rest_angle)
         longest_s = self._fill(
-            *map(float, (*at, request.convergence_angle_rad)),
-            self._inferior_stiff,
-            self.time_step_s,
-            self._packed,
-            self._rest_to,
-            self._scalars_to,
-            self._work,
-        )
+            *map(float, (*at, request.convergence_angle_rad)), self._inferior_stiff, self.time_step_s,
+            self._packed, self._rest_to, self._scalars_to, self._work,
+        )  # fmt: skip
         if not SAFETY * longest_s >= self.time_step_s:
             check_step(fold_of(request, posture), self.time_step_s)
 
