@@ -334,7 +334,7 @@ def test_cases_ask_for_what_the_paper_ran():
 
 def test_evidence_of_a_run_is_one_cycle_whose_area_follows_from_its_shape():
     modal = Simulation()
-    voice = evidence.voice(vfcore.simulate(replace(modal, run=replace(modal.run, duration_s=0.3))))
+    voice = evidence.voice_cycle(vfcore.simulate(replace(modal, run=replace(modal.run, duration_s=0.3))))
     gap = 2 * np.maximum(voice.medial_m - voice.w_m, 0.0).min(axis=2)
     area = np.trapezoid(gap, voice.x_m, axis=1)
     np.testing.assert_allclose(voice.area_m2, area, rtol=0, atol=1e-3 * area.max())

@@ -12,7 +12,7 @@ _DASH = "–"
 
 
 def tables(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, str]:
-    """The generated tables by the name of their marks; ``documents`` by name as shipped."""
+    """The generated tables by the name of their marks; ``documents``: the shipped documents by name."""
     norms, claims, coupling = (documents[name] for name in ("norms", "claims", "coupling"))
     return {
         "norms": markdown(*rows(norms)),
@@ -43,7 +43,7 @@ def _table(header: Sequence[str], lines) -> str:
 
 
 def _constants(variant: str, besides: str | None = None) -> str:
-    """What a variant changes in the paper's larynx; ``besides`` another variant, only the rows that differ."""
+    """The constants that a variant changes; with ``besides``, only those that differ from that variant."""
     meta = {name: constant.metadata for name, constant in CONSTANTS.items()}
     known = VARIANTS[besides].changes if besides else ()
     return _table(

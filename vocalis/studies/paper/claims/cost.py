@@ -1,13 +1,13 @@
 """T1: what a run costs (the paper's "Simulation setup")."""
 
 from vocalis.studies.paper.bands import PASS, Part, below, conclude
-from vocalis.studies.paper.claims.claim import Claim, Outcome
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome
 from vocalis.studies.paper.evidence import Timing
 
 LIMIT_S = 60.0
 
 
-def fast_enough(timing: Timing) -> Outcome:
+def fast_enough(timing: Timing) -> ClaimOutcome:
     paper, own = (wall / timing.simulated_s for wall in (timing.wall_s_paper_step, timing.wall_s_own_step))
     return conclude(
         Part(
@@ -32,6 +32,6 @@ CLAIMS = (
         "laptop (Simulation setup).",
         definition="Wall time of one warm call of vfcore.simulate for the modal case on the paper's grid and step, "
         f"per simulated second. Pass: below {LIMIT_S:g} s. Deviation: below {2 * LIMIT_S:g} s, which another machine "
-        "would explain. Fail: longer. The time at the default step is reported beside it.",
+        "would explain. Fail: longer. The time at the default step is reported as well.",
     ),
 )

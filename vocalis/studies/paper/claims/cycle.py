@@ -1,35 +1,35 @@
-"""M5–M9: what happens within one cycle of the modal case. Longer than other files: five checks and their rows.
+"""M5–M9: what happens within one cycle of the modal case.
 
-Opening and closing phases are those in which the minimum glottal area is open (above 0.1% of its peak) and rises,
-or falls. Surface means weigh every node with the area it stands for.
+In an opening phase the minimum glottal area exceeds 0.1% of its peak and rises; in a closing phase it exceeds that and
+falls. Means over the surface weight every node by its area.
 """
 
 import numpy as np
 
 from vocalis.studies.paper.bands import DEVIATION, FAIL, PASS, Part, above, at_least, at_most, between, conclude
-from vocalis.studies.paper.claims.claim import Claim, Outcome
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome
 from vocalis.studies.paper.claims.modal import on_cycle
-from vocalis.studies.paper.evidence import Voice
+from vocalis.studies.paper.evidence import VoiceCycle
 from vocalis.studies.paper.geometry import full_gap, opening_and_closing, weights
 
 PLACE = "Exemplar case of sustained modal phonation"
-#: "Predominantly": three quarters, and no less than half.
+#: "Predominantly": three quarters; deviation: half.
 MOST, HALF = 0.75, 0.5
-#: M6: the inferior third, and the inferior half; the superior ones alike.
+#: M6: the inferior third; deviation: the inferior half; likewise at the superior edge.
 THIRD = 1.0 / 3.0
 CLIMB_GOOD, CLIMB_FAIR = 0.8, 0.6
 MIDDLE = (0.25, 0.75)
-#: M7: of the largest contact pressure, and of the cycle.
+#: M7: shares of the largest contact pressure, and of the cycle.
 SUCTION, LETTING_GO = 0.01, 0.1
-#: M8: "substantially reduced" is half; a deviation is any clear reduction.
+#: M8: "substantially reduced" is half; deviation: any clear reduction.
 REDUCED_GOOD, REDUCED_FAIR = 0.5, 0.8
 #: M9: "slight" dip before the area peak, and the difference to a scaled copy of the area.
 DIP, DIP_MOST = 0.01, 0.3
 COPY = 0.05
 
 
-def convergence_part(voice: Voice) -> tuple[Part, Part]:
-    """Shares of the opening phases in which the channel converges and of the closing ones in which it diverges."""
+def convergence_part(voice: VoiceCycle) -> tuple[Part, Part]:
+    """The share of opening phases with a convergent channel, and of closing phases with a divergent one."""
     gap = full_gap(voice.w_m, voice.medial_m)
     inlet_wider = (gap[:, :, -1] - gap[:, :, 0]) @ weights(voice.x_m)
     opening, closing = opening_and_closing(voice.area_m2)
@@ -44,12 +44,12 @@ def convergence_part(voice: Voice) -> tuple[Part, Part]:
 
 
 @on_cycle
-def converges_then_diverges(voice: Voice) -> Outcome:
+def converges_then_diverges(voice: VoiceCycle) -> ClaimOutcome:
     return conclude(*convergence_part(voice))
 
 
 @on_cycle
-def contact_climbs(voice: Voice) -> Outcome:
+def contact_climbs(voice: VoiceCycle) -> ClaimOutcome:
     x, height = voice.x_m / voice.x_m[-1], voice.y_m / voice.y_m[-1]
     middle = (x >= MIDDLE[0]) & (x <= MIDDLE[1])
     from_peak = np.roll(voice.w_m > voice.medial_m, -int(voice.area_m2.argmax()), axis=0)
@@ -78,7 +78,7 @@ def contact_climbs(voice: Voice) -> Outcome:
 
 
 @on_cycle
-def separation_sucks(voice: Voice) -> Outcome:
+def separation_sucks(voice: VoiceCycle) -> ClaimOutcome:
     p = voice.contact_pa
     phase, i, j = np.unravel_index(int(p.argmin()), p.shape)
     lowest, share = float(p.min()), float(-p.min() / max(p.max(), 1e-9))
@@ -95,7 +95,7 @@ def separation_sucks(voice: Voice) -> Outcome:
 
 
 @on_cycle
-def pressure_drives_opening(voice: Voice) -> Outcome:
+def pressure_drives_opening(voice: VoiceCycle) -> ClaimOutcome:
     node = np.outer(weights(voice.x_m), weights(voice.y_m))
     node = node / node.sum()
     opening, closing = (voice.aerodynamic_pa[phases] for phases in opening_and_closing(voice.area_m2))
@@ -120,7 +120,7 @@ def pressure_drives_opening(voice: Voice) -> Outcome:
 
 
 @on_cycle
-def flow_is_no_copy(voice: Voice) -> Outcome:
+def flow_is_no_copy(voice: VoiceCycle) -> ClaimOutcome:
     peak = int(voice.area_m2.argmax())
     to_peak = np.arange(peak - len(voice.area_m2) // 2, peak + 1)
     opening, _ = opening_and_closing(voice.area_m2)

@@ -3,10 +3,10 @@
 import numpy as np
 
 from vocalis.studies.paper.bands import DEVIATION, FAIL, PASS, ROUNDING, Part, at_least, between, conclude
-from vocalis.studies.paper.claims.claim import Claim, Outcome
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome
 from vocalis.studies.paper.claims.cycle import convergence_part
 from vocalis.studies.paper.claims.modal import on_cycle, periodic_part
-from vocalis.studies.paper.evidence import PcaSweep, Voice
+from vocalis.studies.paper.evidence import PcaSweep, VoiceCycle
 from vocalis.studies.paper.geometry import posterior_share, slice_gap
 from vocalis.studies.paper.vibration import contact_regions, higher_mode_share
 
@@ -14,14 +14,14 @@ SECTION = "Abductory effects of PCA activation on phonation"
 EXEMPLAR = "Exemplar case with posterior glottal opening"
 FORCES = "Contact forces and posterior glottal opening"
 MM2 = 1e6
-#: P1: an opening counts from 0.1 mm², the smallest area change that the phonation state calls audible.
+#: P1: an opening is at least 0.1 mm², the smallest change of area that counts as phonation.
 OPEN_MM2 = 0.1
 BEHIND_GOOD, BEHIND_FAIR = 2.0 / 3.0, 0.5
-#: P2, in percent: below 0.5 a change is within the error of the time step; "modest", "slight"; "substantially".
+#: P2, in percent: a change below 0.5 is within the error of the time step; then "modest" and "slight"; "substantially".
 NOTICED, SLIGHT = 0.5, 20.0
 LATE_GOOD, LATE_FAIR = 20.0, 5.0
 PEAK_PCA, LATE_HALF, NEARLY = 0.95, 0.5, 0.99
-#: P3: near mid-fold; the anterior shift in x/L, and the least that a grid of 20 nodes can tell.
+#: P3: near mid-fold; the anterior shift in x/L, and the smallest one that a grid of 20 nodes resolves.
 MODERATE, MID = 0.6, 0.1
 CUSP = (0.65, 0.9)
 SHIFT, NODE = 0.1, 0.05
@@ -31,7 +31,7 @@ CHANGES_GOOD, CHANGES_FAIR = 2, 1
 
 
 @on_cycle
-def posterior_gap_voice(half: Voice) -> Outcome:
+def posterior_gap_voice(half: VoiceCycle) -> ClaimOutcome:
     nadir = int(half.area_m2.argmin())
     left = float(half.area_m2[nadir]) * MM2
     behind = posterior_share(slice_gap(half.w_m[nadir], half.medial_m), half.x_m)
@@ -45,7 +45,7 @@ def posterior_gap_voice(half: Voice) -> Outcome:
     )  # fmt: skip
 
 
-def contact_pressure_rises_late(sweep: PcaSweep) -> Outcome:
+def contact_pressure_rises_late(sweep: PcaSweep) -> ClaimOutcome:
     known, p = _phonating(sweep, sweep.contact_pressure_max_pa)
     if not known[0] or not known[-1] or known.mean() < 0.5:
         return conclude(_known_part(sweep, known))
@@ -72,13 +72,13 @@ def contact_pressure_rises_late(sweep: PcaSweep) -> Outcome:
 
 
 def _largest_fall(p: np.ndarray) -> tuple[int, int]:
-    """Where the largest fall of ``p`` before its last value begins and ends."""
+    """Start and end of the largest fall of ``p`` before its last value."""
     before = p[:-1]
     bottom = int((np.maximum.accumulate(before) - before).argmax())
     return int(before[: bottom + 1].argmax()), bottom
 
 
-def contact_place_shifts(sweep: PcaSweep) -> Outcome:
+def contact_place_shifts(sweep: PcaSweep) -> ClaimOutcome:
     known, place = _phonating(sweep, sweep.contact_location)
     pca = sweep.pca[known]
     low, late = pca <= MODERATE + ROUNDING, (pca >= CUSP[0] - ROUNDING) & (pca <= CUSP[1] + ROUNDING)
@@ -97,7 +97,7 @@ def contact_place_shifts(sweep: PcaSweep) -> Outcome:
     )  # fmt: skip
 
 
-def higher_modes(full: Voice, half: Voice) -> Outcome:
+def higher_modes(full: VoiceCycle, half: VoiceCycle) -> ClaimOutcome:
     if not full.repeats or not half.repeats:
         which, silent = (1, full) if not full.repeats else (0.5, half)
         why = f"PCA {which:g} holds no cycle to follow: {silent.explanation.rstrip('.')}"
@@ -118,7 +118,7 @@ def higher_modes(full: Voice, half: Voice) -> Outcome:
 
 
 def _phonating(sweep: PcaSweep, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Which levels repeat and make contact (a pressure of 0 means none), and ``values`` there."""
+    """Mask of the levels with repeating phonation and contact (pressure above 0), and ``values`` there."""
     known = np.isin(sweep.state, ("periodic", "subharmonic")) & (values > 0.0)
     return known, values[known]
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vocalis.studies.paper.bands import FAIL, PASS, Part, above, at_least, between, conclude
-from vocalis.studies.paper.claims.claim import Claim, Outcome, Verdict
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome, Verdict
 from vocalis.studies.paper.evidence import ActivationMap
 from vocalis.studies.paper.trends import median_range, rising_share, slope
 from vocalis.studies.paper.voicing import COVERAGE, coverage_part, seen
@@ -13,11 +13,11 @@ CT, TA = 0, 1
 #: "Approximate range", printed to tens.
 RANGE_HZ, ROUNDED_HZ = (140.0, 220.0), 10.0
 OVERLAP_FAIR = 0.5
-#: Share of the map's ends left out, so that one cell at the border of voicing does not set the range.
+#: Percentile cut off at both ends, so that no single cell at the border of voicing sets the range.
 TAIL = 2.0
 #: "Increases", "decreases monotonically": share of neighbouring cells.
 TREND_GOOD, TREND_FAIR = 0.95, 0.8
-#: A column's slope is compared where each half of CT has this many cells. Chance alone gives half of the columns.
+#: Slopes of a column are compared if each half of CT has this many cells. Chance gives half of the columns.
 MIN_HALF = 3
 COLUMNS_GOOD, COLUMNS_FAIR = 0.8, 0.6
 
@@ -26,7 +26,7 @@ def _fo(maps: ActivationMap) -> np.ndarray:
     return seen(maps, maps.fo_hz, ("periodic",))
 
 
-def range_of_fo(maps: ActivationMap) -> Outcome:
+def range_of_fo(maps: ActivationMap) -> ClaimOutcome:
     fo = _fo(maps)
     if not np.isfinite(fo).any():
         return conclude(coverage_part(fo))
@@ -48,11 +48,11 @@ def range_of_fo(maps: ActivationMap) -> Outcome:
 
 
 def _near(value: float, end: int) -> Verdict:
-    """Other ends alone are a deviation; what the ranges share decides on failure."""
+    """Different ends are a deviation; the overlap of the ranges decides on failure."""
     return between(value, (RANGE_HZ[end] - ROUNDED_HZ, RANGE_HZ[end] + ROUNDED_HZ), (-np.inf, np.inf))
 
 
-def ct_raises_fo(maps: ActivationMap) -> Outcome:
+def ct_raises_fo(maps: ActivationMap) -> ClaimOutcome:
     fo = _fo(maps)
     rising = rising_share(fo, CT)
     by_ct, by_ta = median_range(fo, CT), median_range(fo, TA)
@@ -66,7 +66,7 @@ def ct_raises_fo(maps: ActivationMap) -> Outcome:
     )  # fmt: skip
 
 
-def ct_slope_falls(maps: ActivationMap) -> Outcome:
+def ct_slope_falls(maps: ActivationMap) -> ClaimOutcome:
     fo = _fo(maps)
     flatter = []
     for column in fo.T:
@@ -89,7 +89,7 @@ def ct_slope_falls(maps: ActivationMap) -> Outcome:
     )
 
 
-def ta_lowers_fo(maps: ActivationMap) -> Outcome:
+def ta_lowers_fo(maps: ActivationMap) -> ClaimOutcome:
     fo = _fo(maps)
     falling = rising_share(-fo, TA)
     return conclude(

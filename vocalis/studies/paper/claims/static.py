@@ -1,26 +1,26 @@
-"""S1–S6: static shapes at zero lung pressure. Longer than other files: six checks and their rows.
+"""S1–S6: static shapes at zero lung pressure.
 
-"Gap" is the full distance between the folds, the smallest over y of each slice; a slice counts as closed up to
-0.05 mm. A step is the change from one level of the activation to the next, 0.1 higher.
+"Gap" is the full distance between the folds, the smallest over y in each slice; a slice is closed up to 0.05 mm. A step
+is the change from one level of the activation to the next, 0.1 higher.
 """
 
 import numpy as np
 
 from vocalis.studies.paper.bands import DEVIATION, FAIL, PASS, ROUNDING, Part, above, at_least, at_most, below, conclude
-from vocalis.studies.paper.claims.claim import Claim, Outcome
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome
 from vocalis.studies.paper.evidence import StaticSeries
 from vocalis.studies.paper.geometry import CLOSED_M, at_place, posterior_share, slice_gap, weights
 
 MM = 1e3
 CLOSED_MM = CLOSED_M * MM
 PLACE = "Static vocal fold configurations"
-#: "Progressively": this share of the steps goes the way the paper says.
+#: "Progressively": this share of the steps has the sign that the paper gives.
 STEPS_GOOD, STEPS_FAIR = 0.9, 0.7
-#: Of a gap that should close, or never turn back: what a deviation may miss.
+#: Share of the gap by which a deviation may miss closure or monotonicity.
 REST_FAIR = 0.1
-#: Shortest anterior opening that counts, of the length; that of the project's closure patterns.
+#: Shortest anterior opening, as a share of the length; the limit of the closure patterns of vfcore.
 OPENING_LENGTH = 0.15
-#: Where "increasing TA" is judged, and the two places near the ends.
+#: TA from which "increasing TA" is judged, and the two places near the ends.
 STRONG_TA = 0.5
 ENDS = (0.1, 0.9)
 #: "Largely absent": below half of the mid-fold value.
@@ -33,7 +33,7 @@ def _gaps(series: StaticSeries) -> np.ndarray:
     return slice_gap(series.w_m, series.medial_m)
 
 
-def adduction_closes(series: StaticSeries) -> Outcome:
+def adduction_closes(series: StaticSeries) -> ClaimOutcome:
     gap = _gaps(series)[:, -1] * MM
     rise = float(max(np.diff(gap).max(), 0.0))
     allowed = max(REST_FAIR * gap[0], CLOSED_MM)
@@ -45,16 +45,16 @@ def adduction_closes(series: StaticSeries) -> Outcome:
     )
 
 
-def adducted_shapes_open_anteriorly(series: StaticSeries) -> Outcome:
+def adducted_shapes_open_anteriorly(series: StaticSeries) -> ClaimOutcome:
     closed = np.flatnonzero(_gaps(series)[:, -1] <= CLOSED_M)
     if not len(closed):
         return conclude(Part("posteriorly closed shapes", 0.0, "", "no level closes the glottis posteriorly", FAIL))
-    opened, in_front = [], []
+    open_levels, front_levels = [], []
     for gap, x in zip(_gaps(series)[closed], series.x_m[closed], strict=True):
         anterior = (x <= 0.5 * x[-1]) & (gap > CLOSED_M)
-        opened.append(weights(x)[anterior].sum() >= OPENING_LENGTH * x[-1])
-        in_front.append(posterior_share(gap, x) < 0.5 - ROUNDING)
-    opened, in_front = float(np.mean(opened)), float(np.mean(in_front))
+        open_levels.append(weights(x)[anterior].sum() >= OPENING_LENGTH * x[-1])
+        front_levels.append(posterior_share(gap, x) < 0.5 - ROUNDING)
+    opened, in_front = float(np.mean(open_levels)), float(np.mean(front_levels))
     n = len(closed)
     return conclude(
         Part("posteriorly closed shapes", float(n), "", f"{n} levels close the glottis posteriorly", PASS),
@@ -69,7 +69,7 @@ def adducted_shapes_open_anteriorly(series: StaticSeries) -> Outcome:
     )
 
 
-def ta_bulges(series: StaticSeries) -> Outcome:
+def ta_bulges(series: StaticSeries) -> ClaimOutcome:
     bulge = series.w_b_m.max(axis=1) * MM
     growing = float((np.diff(bulge) > 0.0).mean())
     gap = _gaps(series)
@@ -89,16 +89,16 @@ def ta_bulges(series: StaticSeries) -> Outcome:
     )  # fmt: skip
 
 
-def inferior_edge_leads(series: StaticSeries) -> Outcome:
+def inferior_edge_leads(series: StaticSeries) -> ClaimOutcome:
     lead = series.w_m[:, :, -1] - series.w_m[:, :, 0]
     front, mid, back = (at_place(lead, series.x_m, place) * MM for place in (ENDS[0], 0.5, ENDS[1]))
-    # The resting medial plane converges by b tan θ_conv: only a lead beyond it makes the glottis divergent.
+    # The resting medial plane converges by b tan θ_conv; only a larger lead makes the glottis divergent.
     rest = at_place(series.medial_m[:, :, -1] - series.medial_m[:, :, 0], series.x_m, 0.5) * MM
     strong = series.levels >= STRONG_TA
     least, beyond = float(mid[strong].min()), float((mid - rest)[strong].min())
     gained = float(mid[-1] - mid[0])
     at_ends = np.maximum(np.abs(front), np.abs(back))[strong]
-    ends = float((at_ends / mid[strong]).max()) if least > 0.0 else float("nan")  # of no lead there is no share
+    ends = float((at_ends / mid[strong]).max()) if least > 0.0 else float("nan")  # no lead, no ratio
     ahead = PASS if beyond > 0.0 else DEVIATION if least > 0.0 else FAIL
     return conclude(
         Part("smallest mid-fold lead", least, "mm", f"mid-fold the inferior edge leads by at least {least:.3f} mm, "
@@ -109,7 +109,7 @@ def inferior_edge_leads(series: StaticSeries) -> Outcome:
     )  # fmt: skip
 
 
-def ct_straightens(series: StaticSeries) -> Outcome:
+def ct_straightens(series: StaticSeries) -> ClaimOutcome:
     length = series.x_m[:, -1]
     longer = float((np.diff(length) > 0.0).mean())
     bow = np.abs(series.w_m[:, :, [0, -1]]).max(axis=(1, 2)) / length
@@ -126,7 +126,7 @@ def ct_straightens(series: StaticSeries) -> Outcome:
     )  # fmt: skip
 
 
-def pca_opens(series: StaticSeries) -> Outcome:
+def pca_opens(series: StaticSeries) -> ClaimOutcome:
     gaps = _gaps(series)
     closed = float((weights(series.x_m[0]) * (gaps[0] <= CLOSED_M)).sum() / series.x_m[0, -1])
     gap = gaps[:, -1] * MM
