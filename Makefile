@@ -45,6 +45,7 @@ test: lint test-kernels test-all
 lint: $(VENV)/.tested node_modules/.installed
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/mypy
 	@$(NPM) run --silent lint
 
 format: $(VENV)/.tested node_modules/.installed

@@ -8,11 +8,12 @@ import { Disposal } from "./core/dispose.js";
 import { readSchema } from "./core/parameters.js";
 import { palette } from "./core/theme.js";
 import { answered } from "./state/answers.js";
-import { begin, schema, version } from "./state/request.js";
+import { awaitsDefaults, begin, schema, version } from "./state/request.js";
 import { setConnection, setHealth, showNotice } from "./state/session.js";
 import { followSettled } from "./state/settled.js";
 import { followHistory } from "./features/history/history.js";
 import { followAnnouncements } from "./features/live/announce.js";
+import { firstDefaults, followDefaults } from "./features/live/follow-defaults.js";
 import { followRequest } from "./features/live/follow-request.js";
 import { stopFollowing } from "./features/long-run/run.js";
 import { App } from "./features/page/app.js";
@@ -28,7 +29,11 @@ const POLL_MS = 400;
 
 const page = new Disposal();
 page.add(effect(() => void palette.value)); // sets the theme before the first paint
-page.add(effect(() => document.body.setAttribute("aria-busy", String(answered.value !== version.value))));
+page.add(
+  effect(() => {
+    document.body.setAttribute("aria-busy", String(answered.value !== version.value || awaitsDefaults.value));
+  }),
+);
 render(
   html`
     <${App} entered=${start} />
@@ -43,6 +48,7 @@ for (const follow of [
   followSettled,
   followHistory,
   followTract,
+  followDefaults,
   followRequest,
   followUrl,
   followAnnouncements,
@@ -56,7 +62,7 @@ async function start() {
   try {
     const catalogue = schema.peek() ? null : askCatalogue(); // at the same time: most often the model is ready
     await modelReady();
-    if (!schema.peek()) takeCatalogue(await catalogue);
+    if (!schema.peek()) await takeCatalogue(await catalogue);
     setConnection("ready");
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
@@ -80,9 +86,9 @@ function askCatalogue() {
   return answers;
 }
 
-function takeCatalogue([parameters, measures]) {
+async function takeCatalogue([parameters, measures]) {
   const known = readSchema(parameters);
-  const { changes, unknown } = readQuery(known, location.search);
-  begin(known, measures.measures, changes);
+  const { patch, unknown } = readQuery(known, location.search);
+  begin(known, measures.measures, patch, await firstDefaults(patch));
   if (unknown.length) showNotice(TOP.unknown(unknown));
 }

@@ -8,12 +8,12 @@ from vocalis.server.warmup.compile import compile_everything
 
 
 def main() -> None:
-    """Options; what is left out comes from the environment (VOCALIS_*)."""
+    """Read the options; defaults come from the environment (VOCALIS_*)."""
     default = read_settings()
     parser = argparse.ArgumentParser(prog="python -m vocalis.server", description=__doc__)
     parser.add_argument("--host", default=default.host, help="address to listen on (default %(default)s)")
     parser.add_argument("--port", type=int, default=default.port, help="port (default %(default)s); 0: any free one")
-    parser.add_argument("--token", help="what everybody must show; made up on a public address when left out")
+    parser.add_argument("--token", help="token that every request needs; generated on a public address when left out")
     parser.add_argument("--tls-cert", help="certificate file (PEM)")
     parser.add_argument("--tls-key", help="key file (PEM)")
     parser.add_argument("--warm", action="store_true", help="compile the kernels into the cache and exit")

@@ -1,4 +1,4 @@
-"""The application: settings in, routes and safeguards together."""
+"""The application: made from settings, with all routes and safeguards."""
 
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -7,9 +7,9 @@ from fastapi import FastAPI
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
 import vfcore
+from vocalis.server.addresses import API
 from vocalis.server.http import errors, openapi
 from vocalis.server.http.guard import Guard
-from vocalis.server.jobs.document import API
 from vocalis.server.routes import (
     catalogue,
     events,
@@ -27,7 +27,7 @@ from vocalis.server.routes import (
 from vocalis.server.services import Services
 from vocalis.server.settings import Settings
 
-#: Octets gain little by compression, and an answer while a hand moves has no time for it.
+#: Binary arrays gain little by compression, and an answer to a moving slider has no time for it.
 NOT_COMPRESSED = (*DEFAULT_EXCLUDED_CONTENT_TYPES, "application/octet-stream", "application/x-netcdf")
 
 

@@ -1,4 +1,4 @@
-"""Start the server, say once where it is, stop it cleanly."""
+"""Starts the server, prints its address once, stops it cleanly."""
 
 import logging
 import os
@@ -12,15 +12,15 @@ from pydantic import ValidationError
 from sqlalchemy.exc import SQLAlchemyError
 
 from vocalis.server.app import create_app
+from vocalis.server.exceptions import StorageUnusable
 from vocalis.server.http.access import is_loopback
-from vocalis.server.jobs.database import StorageUnusable
-from vocalis.server.live.handover import HandsOver
+from vocalis.server.live.handover import HandoverProtocol
 from vocalis.server.services import Services
 from vocalis.server.settings import Settings
 
-#: Python hands its lock on after this long (5 ms unless told): a posture must not wait for a run's measures.
+#: Python's threads switch after this long (default 5 ms): a posture must not wait for a run's measures.
 SWITCH_S = 0.0005
-GRACE_S = 1  # for answers under way when the server is stopped
+GRACE_S = 1  # for unfinished answers when the server stops
 
 
 def serve(
@@ -32,8 +32,8 @@ def serve(
 ) -> None:
     """Serve until SIGINT or SIGTERM.
 
-    On an address that others can reach everybody must show a token: ``token``, VOCALIS_TOKEN, or one made up and
-    printed once. Exits with one line when the address cannot be used.
+    On an address that others can reach every request needs a token: ``token``, VOCALIS_TOKEN, or a generated one,
+    which is printed once. Exits with one line when the address cannot be used.
     """
     given = {"token": token, "tls_cert": tls_cert, "tls_key": tls_key}
     settings = read_settings(
@@ -44,7 +44,7 @@ def serve(
     listener = _listen(settings.host, settings.port)
     app = create_app(settings)
     try:
-        app.state.services.open()
+        app.state.services.storage.open()
     except (OSError, StorageUnusable, SQLAlchemyError) as error:
         why = getattr(error, "orig", None) or error
         sys.exit(f"vocalis: the folder of jobs cannot be used: {why}; name another one in VOCALIS_JOBS_DIRECTORY")
@@ -53,7 +53,7 @@ def serve(
         log_config=None,
         access_log=False,
         server_header=False,
-        ws=HandsOver,
+        ws=HandoverProtocol,
         ws_max_size=65_536,
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=GRACE_S,
@@ -79,7 +79,7 @@ def read_settings(**given: Any) -> Settings:
 
 
 class _Server(uvicorn.Server):
-    """Says where it is once it answers, and ends event streams before it waits for open connections."""
+    """Prints its address once it answers, and ends event streams before it waits for open connections."""
 
     def __init__(self, config: uvicorn.Config, services: Services, address: str):
         super().__init__(config)
@@ -97,13 +97,13 @@ class _Server(uvicorn.Server):
 
 def _greet(services: Services, address: str) -> None:
     print(f"Vocalis: {address} (Ctrl-C stops it)", flush=True)
-    if services.folder.number > 1:
-        where = services.folder.path
+    if services.storage.folder.number > 1:
+        where = services.storage.folder.path
         print(f"Another server runs the jobs of this folder; this one keeps its own in {where}", flush=True)
     settings, token = services.settings, services.access.token
     if token is not None and settings.token is None:
         # After the #, so that no browser sends it and no log keeps it.
-        print(f"Everybody needs this token, shown once: {token}\nSign in: {address}/login#{token}", flush=True)
+        print(f"Every request needs this token, shown once: {token}\nSign in: {address}/login#{token}", flush=True)
     if settings.tls_cert is None and not is_loopback(settings.host):
         print("The connection is not encrypted; --tls-cert and --tls-key make it so.", flush=True)
 

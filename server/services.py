@@ -1,4 +1,4 @@
-"""What the routes share, made once per server and handed to them by dependency."""
+"""The objects that the routes share: made once per server, passed to the routes by dependency."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -6,24 +6,24 @@ from typing import Annotated
 from fastapi import Depends
 from starlette.requests import HTTPConnection
 
-from vfcore.kernels.jit import data_directory
+from vfcore.directories import jobs_directory
+from vfcore.runs.gesture.render import RenderedGesture
 from vocalis.server.http.access import Access, access_for, client_of
-from vocalis.server.jobs.archive import Archive
+from vocalis.server.jobs.cache import LruCache
 from vocalis.server.jobs.cluster import DaskCluster
-from vocalis.server.jobs.database import Database
 from vocalis.server.jobs.events import EventLog
-from vocalis.server.jobs.folder import Folder
-from vocalis.server.jobs.gesture_cache import GestureCache
-from vocalis.server.jobs.interactive import Interactive
-from vocalis.server.jobs.points import PointStore
-from vocalis.server.jobs.recorder import Ledger
-from vocalis.server.jobs.retention import Limits, Retention
-from vocalis.server.jobs.scheduler import Engine
-from vocalis.server.jobs.service import Desk
-from vocalis.server.jobs.store import JobStore
-from vocalis.server.live.host import Host
+from vocalis.server.jobs.kinds.registry import result_formats
+from vocalis.server.jobs.recorder import JobRecorder
+from vocalis.server.jobs.retention import Limits
+from vocalis.server.jobs.scheduler import Scheduler
+from vocalis.server.jobs.service import JobService
+from vocalis.server.jobs.storage import Storage
+from vocalis.server.limiter import LatestFirstLimiter
+from vocalis.server.live.host import VoiceHost
 from vocalis.server.settings import Settings
 from vocalis.server.warmup.state import Kernels
+
+GESTURES_KEPT = 8  # 30 s of voice are 70 MB
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,74 +33,53 @@ class Services:
     settings: Settings
     access: Access
     kernels: Kernels
-    folder: Folder
-    database: Database
-    store: JobStore
-    points: PointStore
-    retention: Retention
-    archive: Archive
+    storage: Storage
     events: EventLog
-    desk: Desk
-    postures: Interactive
-    runs: Interactive
-    voices: Host
-    gestures: GestureCache
+    jobs: JobService
+    postures: LatestFirstLimiter
+    runs: LatestFirstLimiter
+    voices: VoiceHost
+    gestures: LruCache[RenderedGesture]
 
     @classmethod
     def of(cls, settings: Settings) -> "Services":
+        """The services of a server with these settings; nothing is started yet."""
         token = settings.token.get_secret_value() if settings.token else None
-        folder = Folder(settings.jobs_directory or data_directory() / "jobs")
-        database, events = Database(), EventLog()
-        store, points = JobStore(database), PointStore(database)
-        archive = Archive(database, folder, settings.result_bytes)
-        ledger = Ledger(store, points, archive, events)
+        limits = Limits(settings.jobs_kept, settings.keep_days, settings.stored_bytes, settings.points_kept)
+        directory = settings.jobs_directory or jobs_directory()
+        storage, events = Storage(directory, settings.result_bytes, limits, result_formats()), EventLog()
+        recorder = JobRecorder(storage.jobs, events)
         cluster = _cluster(settings)
-        engine = Engine(settings.workers, ledger, points, cluster, 0 if cluster else settings.warm_workers)
+        scheduler = Scheduler(settings.workers, recorder, cluster, 0 if cluster else settings.warm_workers)
         return cls(
             settings=settings,
             access=access_for(settings.host, token, settings.allowed_hosts, secure=settings.tls_cert is not None),
             kernels=Kernels(),
-            folder=folder,
-            database=database,
-            store=store,
-            points=points,
-            retention=Retention(database, archive, folder, _limits(settings)),
-            archive=archive,
+            storage=storage,
             events=events,
-            desk=Desk(ledger, store, points, archive, engine, settings.jobs_per_client, settings.queue_length),
-            postures=Interactive(1, settings.posture_waiting, "posture"),
-            runs=Interactive(settings.interactive_slots, settings.interactive_waiting, "run"),
-            voices=Host(settings.live_voices),
-            gestures=GestureCache(),
+            jobs=JobService(recorder, storage, scheduler, settings.jobs_per_client, settings.queue_length),
+            postures=LatestFirstLimiter(1, settings.posture_waiting, "posture"),
+            runs=LatestFirstLimiter(settings.interactive_slots, settings.interactive_waiting, "run"),
+            voices=VoiceHost(settings.live_voices),
+            gestures=LruCache(GESTURES_KEPT),
         )
 
-    def open(self) -> None:
-        """Take the folder with the jobs. OSError or StorageUnusable where that cannot be."""
-        if self.folder.number == 0:
-            self.folder.open()
-            self.database.open(self.folder.database)
-            self.store.load()
-            self.retention.adopt()
-            self.retention.tidy()
-
     def start(self) -> None:
-        """To be called in the event loop that answers."""
-        self.open()
+        """To be called in the event loop that answers. Raises what ``Storage.open`` raises."""
+        self.storage.open()
         self.events.bind()
-        self.kernels.start(then=self.desk.engine.warm)
-        self.retention.start()
-        self.desk.engine.start()
-        self.desk.resume()
+        self.kernels.start(then=self.jobs.scheduler.warm_up)
+        self.storage.retention.start()
+        self.jobs.scheduler.start()
+        self.jobs.resume()
 
     def close(self) -> None:
         """End streams, runs and worker processes."""
         self.events.close()
         self.kernels.close()
-        self.retention.close()
-        self.desk.engine.close()
+        self.jobs.scheduler.close()
         self.voices.close()
-        self.database.close()
-        self.folder.close()
+        self.storage.close()
 
 
 def _cluster(settings: Settings) -> DaskCluster | None:
@@ -109,12 +88,8 @@ def _cluster(settings: Settings) -> DaskCluster | None:
     return DaskCluster(settings.dask_scheduler_address, settings.cluster_in_flight)
 
 
-def _limits(settings: Settings) -> Limits:
-    return Limits(settings.jobs_kept, settings.keep_days, settings.stored_bytes, settings.points_kept)
-
-
 async def services(connection: HTTPConnection) -> Services:
-    """Dependency: the services of this application; async, for others are called in a thread."""
+    """Dependency: the services of this application; async, because FastAPI calls other dependencies in a thread."""
     return connection.app.state.services
 
 

@@ -1,24 +1,22 @@
-/** The server's parameter schema as the page uses it; conversion between values and request documents. */
+/** The server's parameter schema as the page uses it; patches and what is made of them. */
 
 const MUSCLE = /^(.*) \(([A-Z]+)\)$/;
-const GIVEN_POSTURE = /^posture\./;
+const OF_MODEL = /^model\./;
 const KEPT_BY_PRESETS = /^(vowel$|model\.|run\.|constants\.)/;
 const SET_BY_THE_PAGE = new Set(["run.duration_s"]);
 
 /**
  * @returns {{parameters: Map, presets: Array, vowels: Array, variants: Array}} parameters by dotted path, with `name`,
- * `short` (abbreviation or symbol) and `decimals` filled in. A posture given directly is off (null) by default.
+ * `short` (abbreviation or symbol) and `decimals` filled in. Values of an optional part may be null: not given.
  */
 export function readSchema(document) {
   const parameters = new Map();
   for (const row of document.parameters) {
     if (SET_BY_THE_PAGE.has(row.key)) continue;
     const named = MUSCLE.exec(row.label);
-    const given = GIVEN_POSTURE.test(row.key);
     parameters.set(row.key, {
       ...row,
-      default: given ? null : row.default,
-      nullable: row.nullable || given,
+      nullable: row.nullable || Boolean(row.optional_part),
       name: capital(named ? named[1] : row.label),
       short: named ? named[2] : row.symbol,
       decimals: decimalsOf(row.step),
@@ -31,18 +29,29 @@ export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 const decimalsOf = (step) => (step ? Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) : 3);
 
-export function defaultValues(schema) {
-  return Object.fromEntries([...schema.parameters].map(([key, row]) => [key, row.default]));
-}
+/** Whether a path chooses the equations, on which the defaults of all other values depend. */
+export const isOfModel = (path) => OF_MODEL.test(path);
 
-/** Only what differs from the defaults, so that links and requests stay short. */
-export function changedValues(schema, values) {
-  return Object.fromEntries(
-    [...schema.parameters.keys()]
-      .filter((key) => values[key] !== schema.parameters.get(key).default)
-      .map((key) => [key, values[key]]),
+/** The entries of a patch that choose the equations. */
+export const modelOf = (patch) => Object.fromEntries(Object.entries(patch).filter(([path]) => isOfModel(path)));
+
+/**
+ * A patch as text, equal for equal patches, without the entries at the paths `except`.
+ *
+ * @param {Record<string, any>} patch
+ * @param {string[]} [except]
+ */
+export const patchText = (patch, except = []) =>
+  JSON.stringify(
+    Object.keys(patch)
+      .filter((path) => !except.includes(path))
+      .sort()
+      .map((path) => [path, patch[path]]),
   );
-}
+
+/** The entries of a patch whose paths are parameters of the page. */
+export const known = (schema, patch) =>
+  Object.fromEntries(Object.entries(patch).filter(([path]) => schema.parameters.has(path)));
 
 /** {"activation.ta": 0.5} → {"activation": {"ta": 0.5}} */
 export function nest(flat) {
@@ -67,38 +76,40 @@ export function flatten(document, prefix = "") {
   return flat;
 }
 
-export function simulationRequest(schema, values, run = {}) {
-  const body = nest(changedValues(schema, values));
+/** The body of a run: the patch as it is, with values of the run that the page sets itself. */
+export function simulationRequest(patch, run = {}) {
+  const body = nest(patch);
   body.kind = "simulation";
   body.run = { ...body.run, ...run };
   return body;
 }
 
 /** The posture call takes the same document without the run. */
-export function postureRequest(schema, values) {
-  const { run, ...body } = simulationRequest(schema, values);
+export function postureRequest(patch) {
+  const { run, ...body } = simulationRequest(patch);
   return body;
 }
 
-/** The values of a preset; values that it does not name are unchanged. */
-export function presetValues(schema, preset, values) {
-  return { ...values, ...wantedBy(schema, preset) };
-}
+/** The entries of a patch that a preset leaves alone. */
+export const keptByPresets = (patch) =>
+  Object.fromEntries(Object.entries(patch).filter(([path]) => KEPT_BY_PRESETS.test(path)));
 
-/** The preset with these values, or null. */
-export function presetOf(schema, values) {
-  const is = (preset) => Object.entries(wantedBy(schema, preset)).every(([key, value]) => values[key] === value);
+/** The preset with these values in force, or null. `defaults`: the values in force without a patch. */
+export function presetOf(schema, values, defaults) {
+  const paths = [...schema.parameters.keys()].filter((path) => !KEPT_BY_PRESETS.test(path));
+  const is = (preset) => {
+    const wanted = entriesOf(preset);
+    return paths.every((path) => values[path] === (path in wanted ? wanted[path] : defaults[path]));
+  };
   return schema.presets.find(is) ?? null;
 }
 
-const wanted = new WeakMap();
+const flattened = new WeakMap();
 
-function wantedBy(schema, preset) {
-  if (!wanted.has(preset)) {
-    const all = { ...defaultValues(schema), ...flatten(preset.request) };
-    wanted.set(preset, Object.fromEntries(Object.entries(all).filter(([key]) => !KEPT_BY_PRESETS.test(key))));
-  }
-  return wanted.get(preset);
+/** What a preset sets, by path. */
+export function entriesOf(preset) {
+  if (!flattened.has(preset)) flattened.set(preset, flatten(preset.request));
+  return flattened.get(preset);
 }
 
 /** The user's input as a number if it is one, else the text itself, which the server then refuses by name. */

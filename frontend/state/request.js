@@ -1,6 +1,9 @@
-/** The request: the schema, every value, and the movement of a control that a change belongs to. */
+/**
+ * The request: a patch {path: value} of what was set, and the values in force, which the server resolves. The page has
+ * no rule of its own about defaults.
+ */
 import { batch, computed, readonly, signal } from "../core/ui.js";
-import { capital, defaultValues, flatten, presetOf, presetValues } from "../core/parameters.js";
+import { capital, entriesOf, isOfModel, keptByPresets, modelOf, patchText, presetOf } from "../core/parameters.js";
 
 const MOVEMENT_PAUSE_MS = 1500;
 const TIED = { "activation.lca": "activation.ia", "activation.ia": "activation.lca" };
@@ -8,29 +11,70 @@ const TIED = { "activation.lca": "activation.ia", "activation.ia": "activation.l
 const _schema = signal(null);
 const _catalogue = signal(null);
 /** @type {import("@preact/signals").Signal<Record<string, any>>} */
-const _values = signal({});
+const _patch = signal({});
+/** @type {import("@preact/signals").Signal<Map<string, Record<string, any>>>} */
+const _resolved = signal(new Map());
+/** @type {import("@preact/signals").Signal<Record<string, any>>} */
+const _shown = signal({});
+const _refused = signal("");
 const _version = signal(0);
 const _movement = signal(0);
 const _tied = signal(false);
 
 export const schema = readonly(_schema);
 export const catalogue = readonly(_catalogue);
-/** Every value by dotted path, as it is sent. */
-export const values = readonly(_values);
+/** What was set by the user, a preset, a link, a lesson or a map, by dotted path. It is sent as it is. */
+export const patch = readonly(_patch);
 /** Counts changes: an answer carries the version of its request. */
 export const version = readonly(_version);
 /** Counts movements: changes of one control without a pause are one movement. */
 export const movement = readonly(_movement);
 export const tied = readonly(_tied);
-export const preset = computed(() => (_schema.value ? presetOf(_schema.value, _values.value) : null));
 
-export function begin(newSchema, catalogueRows, changes) {
+const textOfModel = (of) => patchText(modelOf(of));
+/** The entries of the present patch that choose the model, as text. */
+export const model = computed(() => textOfModel(_patch.value));
+
+/** Values in force where a patch says nothing but its model. Until the server has answered: those shown before. */
+export const defaultsOf = (of) => _resolved.value.get(textOfModel(of)) ?? _shown.value;
+/** Values in force under a patch, by path; null for what is not given. */
+export const valuesOf = (of) => ({ ...defaultsOf(of), ...of });
+export const defaults = computed(() => defaultsOf(_patch.value));
+export const values = computed(() => valuesOf(_patch.value));
+/** Whether the server has still to say which defaults the present model has. */
+export const awaitsDefaults = computed(() => !_resolved.value.has(model.value) && _refused.value !== model.value);
+export const preset = computed(() => _schema.value && presetOf(_schema.value, values.value, defaults.value));
+
+/** `first`: {model, values}, the first defaults, see takeDefaults. */
+export function begin(newSchema, catalogueRows, newPatch, first) {
   batch(() => {
     _schema.value = newSchema;
+    _shown.value = takeDefaults(first.model, first.values);
     _catalogue.value = new Map(catalogueRows.map((row) => [row.key, { ...row, name: capital(row.name) }]));
-    _values.value = { ...defaultValues(newSchema), ...changes };
+    _patch.value = newPatch;
     _version.value = 1;
   });
+}
+
+/** The values in force under `ofModel`, a patch of the model alone, as the server resolved them. */
+export function takeDefaults(ofModel, resolved) {
+  const text = patchText(ofModel);
+  const paths = [..._schema.peek().parameters.keys()];
+  const own = Object.fromEntries(paths.map((path) => [path, resolved[path] ?? null]));
+  batch(() => {
+    _resolved.value = new Map(_resolved.peek()).set(text, own);
+    show();
+  });
+  return own;
+}
+
+/** The server refused this model: the defaults shown before stay. */
+export function takeNoDefaults(ofModel) {
+  _refused.value = patchText(ofModel);
+}
+
+function show() {
+  _shown.value = _resolved.peek().get(model.peek()) ?? _shown.peek();
 }
 
 let lastPath = "";
@@ -39,48 +83,53 @@ let lastChange = 0;
 /** The paths that a control sets: its own, and the one tied to it. */
 export const movedTogether = (path) => (_tied.peek() && TIED[path] ? [path, TIED[path]] : [path]);
 
+/** Null: no value of its own. */
 export function setValue(path, value) {
-  const moved = Object.fromEntries(movedTogether(path).map((tied) => [tied, value]));
-  change({ ..._values.value, ...moved }, path);
+  change(withEntries(_patch.peek(), Object.fromEntries(movedTogether(path).map((tied) => [tied, value]))), path);
 }
 
 export function resetValue(path) {
-  setValue(path, _schema.value.parameters.get(path).default);
+  setValue(path, null);
 }
 
 export function choosePreset(key) {
-  const chosen = _schema.value.presets.find((row) => row.key === key);
-  change(presetValues(_schema.value, chosen, _values.value), `preset ${key}`);
+  const chosen = _schema.peek().presets.find((row) => row.key === key);
+  change(withEntries(keptByPresets(_patch.peek()), entriesOf(chosen)), `preset ${key}`);
 }
 
-/** Set many values at once, for undo or a lesson; missing ones are unchanged. */
-export function restoreValues(next) {
-  change({ ..._values.value, ...next }, "restored");
+/** Exactly this patch again, for undo; or, for a lesson or a cell of a map, this patch with further entries. */
+export function restorePatch(base, entries = {}) {
+  change(withEntries(base, entries), "restored");
   lastPath = ""; // two in a row are two movements
 }
 
 /** A variant brings its own source–tract coupling, which can be changed afterwards. */
 export function chooseVariant(key) {
-  const { coupling } = _schema.value.variants.find((row) => row.key === key);
-  change({ ..._values.value, "model.variant": key, "model.coupling": coupling }, "model.variant");
-}
-
-/** Take a request document, with defaults for all values that it does not name. */
-export function takeRequest(document) {
-  const known = Object.entries(flatten(document)).filter(([path]) => _schema.value.parameters.has(path));
-  change({ ...defaultValues(_schema.value), ...Object.fromEntries(known) }, "request");
+  const usual = _schema.peek().parameters.get("model.variant").default;
+  const entries = { "model.variant": key === usual ? null : key, "model.coupling": null };
+  change(withEntries(_patch.peek(), entries), "model.variant");
 }
 
 export function setTied(on) {
   _tied.value = on;
 }
 
+/** A patch with further entries, without those that say what is in force anyway, so that links stay short. */
+function withEntries(base, entries) {
+  const next = { ...base, ...entries };
+  const own = _resolved.peek().get(textOfModel(next));
+  const says = ([path, value]) => value === null || (own && !isOfModel(path) && own[path] === value);
+  for (const [path] of Object.entries(entries).filter(says)) delete next[path];
+  return next;
+}
+
 function change(next, path) {
   const now = performance.now();
   batch(() => {
     if (path !== lastPath || now - lastChange > MOVEMENT_PAUSE_MS) _movement.value += 1;
-    _values.value = next;
+    _patch.value = next;
     _version.value += 1;
+    show();
   });
   lastPath = path;
   lastChange = now;

@@ -1,1 +1,1 @@
-"""What every call passes: access, safeguards, and how errors and arrays are answered."""
+"""What every call passes through: access, safeguards, errors as problems, and the OpenAPI document."""

@@ -1,13 +1,13 @@
-"""Who may come in: names of this server, tokens, cookies, and which client a request belongs to.
+"""Access control: names of this server, tokens, cookies, and the client that a request belongs to.
 
-*This client* is whoever shows the same of these, in this order:
+A client is identified by the first of these that a request has:
 
 - a bearer token (``Authorization: Bearer …``): scripts; on a server without a token any value names a client;
-- the anonymous cookie ``vocalis_client``, random, HttpOnly, given to a browser with the page;
-- nothing: all scripts on this machine that show nothing are one client together.
+- the anonymous cookie ``vocalis_client``, random, HttpOnly, set in a browser together with the page;
+- nothing: all scripts on this machine that send neither are one client.
 
-It decides what GET /jobs and GET /events list. A job's own address needs no more than its id, which is
-random and cannot be guessed.
+GET /jobs and GET /events list the jobs of one client. The address of a job needs only its id, which is random and
+cannot be guessed.
 """
 
 import hashlib
@@ -29,8 +29,8 @@ SESSION_AGE_S = 30 * 86400
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """``token`` None: nobody is asked. ``names``: host names a browser may use. ``any_address``: and any literal
-    address (no other site's name can be made to stand for it, so that it needs no list).
+    """``token`` None: no token is needed. ``names``: host names a browser may use. ``any_address``: any literal
+    address is accepted too (no other site can give it a name, so it needs no list).
     """
 
     token: str | None
@@ -43,26 +43,26 @@ class Access:
         name = host_name(header)
         return name in self.names or (self.any_address and is_address(name))
 
-    def lets_in(self, connection: HTTPConnection) -> bool:
-        """Whether a request shows the token or the cookie given for it."""
+    def admits(self, connection: HTTPConnection) -> bool:
+        """Whether a request has the token, or the session cookie."""
         if self.token is None:
             return True
-        shown = bearer(connection)
-        if shown is not None:
-            return self.is_token(shown)
+        given = bearer(connection)
+        if given is not None:
+            return self.is_token(given)
         return _same(connection.cookies.get(SESSION_COOKIE, ""), self._session())
 
-    def is_token(self, shown: str) -> bool:
-        return self.token is not None and _same(shown, self.token)
+    def is_token(self, given: str) -> bool:
+        return self.token is not None and _same(given, self.token)
 
     def open_session(self, response: Response) -> None:
-        """Give the cookie that stands for the token. It does not contain the token."""
+        """Set the session cookie, which replaces the token. It does not contain the token."""
         response.set_cookie(
             SESSION_COOKIE, self._session(), SESSION_AGE_S, httponly=True, samesite="strict", secure=self.secure
         )
 
-    def introduce(self, connection: HTTPConnection, response: Response) -> None:
-        """Give a browser that has none the cookie that makes it a client."""
+    def identify(self, connection: HTTPConnection, response: Response) -> None:
+        """Set the cookie that makes a browser a client, unless it has one."""
         if CLIENT_COOKIE not in connection.cookies:
             response.set_cookie(
                 CLIENT_COOKIE, secrets.token_urlsafe(18), CLIENT_AGE_S,
@@ -74,7 +74,7 @@ class Access:
 
 
 def access_for(host: str, token: str | None, allowed_hosts: Iterable[str] = (), secure: bool = False) -> Access:
-    """The rules for a server bound to ``host``; a public host has a token made up when none is given."""
+    """The rules for a server bound to ``host``; for a public host a token is generated when none is given."""
     names = {"localhost", *(host_name(name) for name in allowed_hosts)}
     if is_loopback(host):
         return Access(token, frozenset(names | {"127.0.0.1", "::1", host}), False, secure)
@@ -84,9 +84,9 @@ def access_for(host: str, token: str | None, allowed_hosts: Iterable[str] = (), 
 
 async def client_of(connection: HTTPConnection) -> str:
     """The name of the client a request belongs to; see the module."""
-    shown = bearer(connection)
-    if shown is not None:
-        return "token:" + _digest(shown)
+    given = bearer(connection)
+    if given is not None:
+        return "token:" + _digest(given)
     if (cookie := connection.cookies.get(CLIENT_COOKIE)) is not None:
         return "cookie:" + _digest(cookie)
     return "local"

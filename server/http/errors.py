@@ -1,4 +1,4 @@
-"""Exceptions to problem+json answers; the statuses stand in problems.TABLE."""
+"""Exceptions to problem+json answers; ``problems.TABLE`` has the statuses."""
 
 import asyncio
 import logging
@@ -13,9 +13,10 @@ from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from vfcore.errors import ParameterError, VocalisError
-from vocalis.server.http.problems import MEDIA_TYPE, TABLE, Kind, NotReady, document, kind_of, problem_of
-from vocalis.server.schemas.requests import OFFERED_KINDS, allowed_at, known_beside
-from vocalis.server.schemas.sweeps import TAGS
+from vocalis.server.exceptions import NotReady
+from vocalis.server.jobs.kinds.registry import KINDS
+from vocalis.server.problems import MEDIA_TYPE, TABLE, Kind, document, kind_of, problem_of
+from vocalis.server.schemas.requests import OFFERED_KINDS, allowed_at, known_names
 
 log = logging.getLogger("vocalis")
 LONGEST_ECHO = 60
@@ -23,7 +24,7 @@ _UNION_MEMBERS = ("function-wrap", "str", "list[str]", "list[constrained-str]")
 
 
 class StreamOver(Exception):
-    """A stream that is asked to resume has nothing more to say; 204 tells a browser not to ask again."""
+    """A stream to be resumed has no further events; status 204 tells a browser not to reconnect."""
 
 
 def problem_response(body: dict[str, Any], headers: dict[str, str] | None = None) -> JSONResponse:
@@ -32,7 +33,7 @@ def problem_response(body: dict[str, Any], headers: dict[str, str] | None = None
 
 
 def answer(error: Exception) -> JSONResponse:
-    """The answer to an exception of the table, with the headers its status asks for."""
+    """The answer to an exception of the table, with the headers that its status needs."""
     headers = {}
     if (seconds := getattr(error, "retry_after_s", None)) is not None:
         headers["Retry-After"] = str(seconds)
@@ -47,7 +48,7 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(RequestValidationError, _validation)
     app.add_exception_handler(HTTPException, _http)
     app.add_exception_handler(StreamOver, _over)
-    app.add_middleware(Unforeseen)
+    app.add_middleware(UnexpectedErrors)
 
 
 async def _known(_: Request, error: Exception) -> JSONResponse:
@@ -58,10 +59,10 @@ async def _over(_: Request, __: Exception) -> Response:
     return Response(status_code=HTTPStatus.NO_CONTENT)
 
 
-class Unforeseen:
-    """Turns what nobody foresaw into a problem too; the log has the traceback, the client does not.
+class UnexpectedErrors:
+    """Turns unexpected exceptions into problems too; the traceback goes to the log, not to the client.
 
-    A call is cancelled only when the server stops and has waited for it long enough.
+    A call is cancelled only when the server stops and its grace period is over.
     """
 
     def __init__(self, app: ASGIApp):
@@ -88,11 +89,13 @@ class Unforeseen:
             await answer(error)(scope, receive, send)
 
 
-async def _http(_: Request, error: HTTPException) -> JSONResponse:
+async def _http(_: Request, error: Exception) -> JSONResponse:
+    assert isinstance(error, HTTPException)
     return problem_response(_by_status(error.status_code, error.detail), dict(error.headers or {}))
 
 
-async def _validation(request: Request, error: RequestValidationError) -> JSONResponse:
+async def _validation(request: Request, error: Exception) -> JSONResponse:
+    assert isinstance(error, RequestValidationError)
     items = error.errors()
     if items[0]["loc"] == ("body",) and isinstance(error.body, bytes):
         given = request.headers.get("content-type", "nothing")
@@ -117,7 +120,7 @@ def _field(item: dict[str, Any]) -> dict[str, str]:
         return {"path": _path([*rest, "kind"]), "message": item["msg"], "allowed": " | ".join(OFFERED_KINDS)}
     path = _path(rest) or str(where)
     if kind == "extra_forbidden":
-        return {"path": path, "message": "is not a known field", "allowed": known_beside(path)}
+        return {"path": path, "message": "is not a known field", "allowed": known_names(path)}
     allowed = (allowed_at(path) if where == "body" else None) or limits.get("expected") or item["msg"]
     message = "is missing" if kind == "missing" else f"{_echo(item['input'])} cannot be used"
     return {"path": path, "message": message, "allowed": str(allowed)}
@@ -125,7 +128,7 @@ def _field(item: dict[str, Any]) -> dict[str, str]:
 
 def _path(parts: Sequence[int | str]) -> str:
     """Dotted, without what pydantic adds to say which member of a union it means."""
-    tagged = parts and parts[0] in TAGS
+    tagged = parts and parts[0] in KINDS
     return ".".join(str(part) for part in parts[1 if tagged else 0 :] if part not in _UNION_MEMBERS)
 
 

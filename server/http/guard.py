@@ -1,4 +1,4 @@
-"""What every request passes before any route sees it: host, origin, token, size; and the headers every answer gets."""
+"""Checks of every request before any route: host, origin, token, size; and the headers of every answer."""
 
 from urllib.parse import urlsplit
 
@@ -8,14 +8,14 @@ from starlette.requests import HTTPConnection
 from starlette.responses import RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from vocalis.server.addresses import API
+from vocalis.server.exceptions import BodyTooLarge, NotAuthorised, Refused, WrongHost, WrongOrigin
 from vocalis.server.http.access import Access
 from vocalis.server.http.errors import answer
-from vocalis.server.http.problems import BodyTooLarge, NotAuthorised, Refused, WrongHost, WrongOrigin
-from vocalis.server.jobs.document import API
 
 SAFE_METHODS = ("GET", "HEAD", "OPTIONS")
 LOGIN = "/login"
-#: What needs no token: whether the server is alive, and the way in.
+#: Paths that need no token: health, and signing in.
 OPEN_PATHS = (f"{API}/health", f"{API}/session", LOGIN, f"{LOGIN}.js", f"{LOGIN}.css")
 
 HEADERS = {
@@ -58,7 +58,7 @@ class Guard:
         origin = headers.get("origin")
         if changes_something(connection) and origin is not None and urlsplit(origin).netloc.lower() != host.lower():
             raise WrongOrigin(f"A page of {origin} may not change anything here.")
-        if path not in OPEN_PATHS and not self._access.lets_in(connection):
+        if path not in OPEN_PATHS and not self._access.admits(connection):
             raise NotAuthorised("Send the token as 'Authorization: Bearer …', or sign in on the page.")
         length = headers.get("content-length", "0")
         if length.isdecimal() and int(length) > self._body_bytes:
@@ -82,7 +82,7 @@ class Guard:
 
 
 def changes_something(connection: HTTPConnection) -> bool:
-    """Whether a request may change something; a web socket may."""
+    """Whether a request may change something; a WebSocket may."""
     return connection.scope["type"] == "websocket" or connection.scope["method"] not in SAFE_METHODS
 
 
@@ -91,7 +91,7 @@ def _refusal(connection: HTTPConnection, error: Refused) -> Response | None:
         return None
     wants_page = "text/html" in connection.headers.get("accept", "")
     if isinstance(error, NotAuthorised) and wants_page and not changes_something(connection):
-        # The query is the voice of a shared link; /login hands it to the page and to nothing else.
+        # The query is the voice of a shared link; /login passes it on to the page only.
         query = connection.url.query if connection.url.path == "/" else ""
         return RedirectResponse(f"{LOGIN}?{query}" if query else LOGIN, 303)
     return answer(error)

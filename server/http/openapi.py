@@ -1,4 +1,4 @@
-"""The OpenAPI document: every status an operation can answer with, problems under their own media type."""
+"""The OpenAPI document: every status of every operation, with problems under their own media type."""
 
 from http import HTTPStatus
 from typing import Any
@@ -6,31 +6,37 @@ from typing import Any
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
-from vocalis.server.http.problems import MEDIA_TYPE
+from vocalis.server.problems import MEDIA_TYPE
 from vocalis.server.schemas.answers import Problem
 
 _PROBLEM = {"schema": {"$ref": "#/components/schemas/Problem"}}
-#: Any call may meet these: a body that cannot be read, no token, a foreign origin, a body too large, a wrong host.
+#: Possible for every call: unreadable body, no token, foreign origin, body too large, wrong host.
 EVERYWHERE = (400, 401, 403, 413, 421)
 
 
-def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
-    """``responses`` of a route for the problems it may answer with, beside those of every route."""
+Responses = dict[int | str, dict[str, Any]]
+
+
+def ok(**fields: Any) -> Responses:
+    """``responses`` of a route for its answer with status 200."""
+    return {200: fields}
+
+
+def problems(*statuses: int) -> Responses:
+    """``responses`` of a route for the problems that it may answer with, and those of every route."""
     return {
         status: {"description": HTTPStatus(status).phrase, "content": {MEDIA_TYPE: _PROBLEM}}
         for status in (*EVERYWHERE, *statuses)
     }
 
 
-def octets(description: str, media_type: str, headers: dict[str, str] | None = None) -> dict[str, Any]:
-    """A 200 answer that is not JSON."""
-    return {
-        "description": description,
-        "headers": {
-            name: {"description": text, "schema": {"type": "string"}} for name, text in (headers or {}).items()
-        },
-        "content": {media_type: {"schema": {"type": "string", "format": "binary"}}},
-    }
+def ok_bytes(description: str, media_type: str, headers: dict[str, str] | None = None) -> Responses:
+    """``responses`` of a route for an answer with status 200 that is not JSON."""
+    return ok(
+        description=description,
+        headers={name: {"description": text, "schema": {"type": "string"}} for name, text in (headers or {}).items()},
+        content={media_type: {"schema": {"type": "string", "format": "binary"}}},
+    )
 
 
 def install(app: FastAPI) -> None:
@@ -45,4 +51,4 @@ def install(app: FastAPI) -> None:
             app.openapi_schema = schema
         return app.openapi_schema
 
-    app.openapi = document
+    app.openapi = document  # type: ignore[method-assign]  # FastAPI documents this way of extending it

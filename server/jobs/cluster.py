@@ -1,26 +1,24 @@
-"""Tasks of sweeps on a Dask cluster: the scheduler's address is all this server knows of it.
+"""Tasks of shared work on a Dask cluster; the server knows only the address of the Dask scheduler.
 
-A task is one call of ``vfcore.runs.sweep.task.run_task``, named by the content of its points, of 0.2 to 2 s, so that
-losing a worker costs little. ``Client.cancel`` does not stop what is computing; nothing more is handed out then.
+A task is one call of 0.2 to 2 s, named by the content of its points, so that the loss of a worker costs little.
+``Client.cancel`` does not stop a running call; after it no further tasks are submitted.
 """
 
 import logging
 import threading
-from collections.abc import Callable
 from typing import Any
 
 from vfcore.errors import Cancelled
-from vfcore.runs.sweep.plan import Sweep
-from vfcore.runs.sweep.task import WrongModel, run_task
+from vfcore.runs.sweep.task import WrongModel
 from vfcore.spec.address import content_hash
-from vocalis.server.http.problems import problem_of
-from vocalis.server.jobs.executor_slot import Died, Failed, Finished, NoConnection, Outcome, Stopped
+from vocalis.server.jobs.executor_slot import Call, Died, Failed, Finished, NoConnection, Outcome, Progress, Stopped
+from vocalis.server.problems import problem_of
 
 log = logging.getLogger("vocalis")
-LISTEN_S = 0.1
+POLL_S = 0.1
 CONNECT_S = 5.0
-LOOK_EVERY_S = 1.0
-PER_THREAD = 2  # tasks in flight for every thread of the cluster: one computes, one waits beside it
+CHECK_EVERY_S = 1.0
+PER_THREAD = 2  # tasks in flight for every thread of the cluster: one is computed, one waits
 
 
 class DaskCluster:
@@ -28,19 +26,19 @@ class DaskCluster:
 
     def __init__(self, address: str, most: int):
         self.address, self.most = address, most
-        self.lanes = 0
+        self.slots = 0
         self._client: Any = None
         self._threads = 0
         self._lock = threading.Lock()
         self._end = threading.Event()
 
     def start(self) -> None:
-        """Connect, and keep an eye on how many workers there are."""
+        """Connect, and watch how many workers there are."""
         threading.Thread(target=self._watch, name="cluster", daemon=True).start()
 
     @property
     def capacity(self) -> int:
-        """How many tasks the cluster has room for, in its workers and in front of them; 1 while it is not reached."""
+        """How many tasks the cluster has room for, running and waiting; 1 while it cannot be reached."""
         return max(1, min(PER_THREAD * self._threads, self.most))
 
     def _watch(self) -> None:
@@ -50,10 +48,10 @@ class DaskCluster:
                 self._threads = sum(self.client().nthreads().values())
                 reached = True
             except (NoConnection, OSError, TimeoutError) as error:
-                if reached:  # said once
+                if reached:  # logged once
                     log.warning("%s", error)
                 reached, self._threads = False, 0
-            self._end.wait(LOOK_EVERY_S)
+            self._end.wait(CHECK_EVERY_S)
 
     def client(self) -> Any:
         """The connection; NoConnection."""
@@ -68,9 +66,9 @@ class DaskCluster:
                     raise NoConnection(f"The Dask scheduler at {self.address} cannot be reached: {error}") from error
             return self._client
 
-    def new_lane(self) -> "DaskLane":
-        self.lanes += 1
-        return DaskLane(self)
+    def new_slot(self) -> "DaskSlot":
+        self.slots += 1
+        return DaskSlot(self)
 
     def close(self) -> None:
         self._end.set()
@@ -80,21 +78,20 @@ class DaskCluster:
                 self._client = None
 
 
-class DaskLane:
+class DaskSlot:
     """One task on the cluster at a time."""
 
     def __init__(self, cluster: DaskCluster):
         self._cluster = cluster
 
-    def run(self, _: str, piece: tuple[Sweep, str], __: Callable[[float], None], stop: threading.Event) -> Outcome:
-        """Have a part of a sweep computed; NoConnection when the scheduler is lost."""
-        part, model_version = piece
-        key = f"vocalis-{content_hash([part.address(k) for k in range(len(part))])}"
+    def run(self, call: Call, progress: Progress, stop: threading.Event) -> Outcome:
+        """Compute a call, without progress; NoConnection when the scheduler is lost."""
+        key = f"vocalis-{content_hash(list(call.addresses))}"
         client, done = self._cluster.client(), threading.Event()
         try:
-            future = client.submit(run_task, part, model_version, key=key, pure=False, retries=0)
+            future = client.submit(call.function, *call.arguments, key=key, pure=False, retries=0)
             future.add_done_callback(lambda _: done.set())
-            while not done.wait(LISTEN_S):
+            while not done.wait(POLL_S):
                 if stop.is_set():
                     future.cancel()
                     return Stopped()
@@ -105,7 +102,7 @@ class DaskLane:
             raise NoConnection(str(error)) from error
 
     def close(self) -> None:
-        """Nothing here computes."""
+        """Nothing is computed in this process."""
 
 
 def _outcome(future: Any) -> Outcome:
@@ -114,12 +111,12 @@ def _outcome(future: Any) -> Outcome:
     if future.status == "finished":
         return Finished(future.result())
     if future.status != "error":
-        raise NoConnection("The Dask scheduler let go of a task.")
+        raise NoConnection("The Dask scheduler dropped a task.")
     error = future.exception()
     if isinstance(error, KilledWorker):
         return Died(None)
     if isinstance(error, Cancelled):
         return Stopped()
-    if isinstance(error, ImportError | AttributeError):  # before run_task could look: other code altogether
+    if isinstance(error, ImportError | AttributeError):  # before the call could compare versions: other code
         error = WrongModel(f"A worker cannot load this version of Vocalis ({error}); install the same on both.")
     return Failed(problem_of(error))

@@ -1,4 +1,4 @@
-"""What a run will cost, known before it starts: nodes times steps, of its companions too."""
+"""The cost of a run, known before it starts: nodes times steps, including the finer runs of an error estimate."""
 
 from dataclasses import replace
 
@@ -11,13 +11,13 @@ from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
 def check_cost(request: Simulation, limit: float, setting: str) -> None:
     """ParameterError when nx·ny·steps of all runs that ``request`` needs is above ``limit``, which ``setting`` names.
 
-    Finds the posture on the way, as the longest stable step depends on it: raises what ``prepare`` raises.
+    Solves the posture, because the longest stable step depends on it: raises what ``prepare`` raises.
     """
     run = request.run
     runs = [run, *(one.run for one in companions(request))] if run.error_estimate else [run]
     node_seconds = [one.nx * one.ny * one.duration_s for one in runs]
     cost = sum(node_seconds) / (run.time_step_s or DEFAULT_STEP_S)
-    if cost <= limit:  # otherwise the steps need no looking up: they can only be shorter
+    if cost <= limit:  # the steps can only be shorter than this, so a run above the limit needs no posture
         steps = steps_of(request, [prepare(replace(request, run=one)).fold for one in runs])
         cost = sum(work / step for work, step in zip(node_seconds, steps, strict=True))
     if cost > limit:

@@ -1,7 +1,7 @@
-"""SQLite behind SQLAlchemy: opened for one server, written by one thread at a time; plain words when a disk is full.
+"""SQLite behind SQLAlchemy: opened by one server, written by one thread at a time; StorageFull when a disk is full.
 
-Write-ahead log with ``synchronous=NORMAL``: what was committed survives the end of the process, however it comes; a
-power cut may take the last moments with it, but never damages the file.
+Write-ahead log with ``synchronous=NORMAL``: committed transactions survive the end of the process in any form. A power
+cut may lose the latest ones, but never damages the file.
 """
 
 import errno
@@ -13,19 +13,11 @@ from pathlib import Path
 from sqlalchemy import Connection, Engine, create_engine, event, text
 from sqlalchemy.exc import DBAPIError
 
-from vfcore.errors import VocalisError
+from vocalis.server.exceptions import StorageFull, StorageUnusable
 from vocalis.server.jobs.tables import LAYOUT, METADATA
 
 _FULL = ("disk is full", "disk I/O error", "database is full")
 _NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
-
-
-class StorageFull(VocalisError):
-    """There is no room to keep jobs or results."""
-
-
-class StorageUnusable(VocalisError):
-    """The folder of jobs cannot be used."""
 
 
 class Database:
@@ -37,7 +29,7 @@ class Database:
         self._writing = threading.RLock()
 
     def open(self, path: Path) -> None:
-        """Open the file, made where it is not there; StorageUnusable when it is of another layout."""
+        """Open the file, and create it if it does not exist; StorageUnusable when it has another layout."""
         self._path = path
         self._engine = create_engine(f"sqlite:///{path}", connect_args={"timeout": 10})
         event.listen(self._engine, "connect", _prepare)
@@ -51,13 +43,13 @@ class Database:
     @contextmanager
     def read(self) -> Iterator[Connection]:
         """A connection that sees one state of the database."""
-        with told_plainly(self._path), self._engine.connect() as connection:
+        with translate_storage_errors(self._path), self._engine.connect() as connection:
             yield connection
 
     @contextmanager
     def write(self) -> Iterator[Connection]:
-        """A transaction: all of it is kept, or nothing."""
-        with told_plainly(self._path), self._writing, self._engine.begin() as connection:
+        """A transaction: all of it is committed, or nothing."""
+        with translate_storage_errors(self._path), self._writing, self._engine.begin() as connection:
             yield connection
 
     def close(self) -> None:
@@ -65,12 +57,12 @@ class Database:
 
 
 @contextmanager
-def told_plainly(path: Path) -> Iterator[None]:
-    """StorageFull instead of whatever a full disk raises."""
+def translate_storage_errors(path: Path) -> Iterator[None]:
+    """StorageFull in place of the errors that a full disk raises."""
     try:
         yield
     except DBAPIError as error:
-        if any(words in str(error.orig) for words in _FULL):
+        if any(text in str(error.orig) for text in _FULL):
             raise StorageFull(_sentence(path)) from error
         raise
     except OSError as error:
@@ -81,7 +73,7 @@ def told_plainly(path: Path) -> Iterator[None]:
 
 def _sentence(path: Path) -> str:
     folder = path if path.is_dir() else path.parent
-    return f"There is no room left to keep jobs and results (in {folder}); what is there already is not touched."
+    return f"There is no room left to keep jobs and results (in {folder}); what is stored already is not touched."
 
 
 def _prepare(connection, _) -> None:

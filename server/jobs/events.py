@@ -1,8 +1,8 @@
-"""What happened to jobs, as a numbered log that any number of streams can read from any point.
+"""Events of jobs, as a numbered log that any number of streams can read from any position.
 
-Of the progress of one job only the last word is kept, so a slow reader is never behind by more than one such
-event per job; of the points of sweeps the latest ones. Event ids are ``<boot>-<number>``: after a restart, or when too
-much has happened since, a reader gets the present state instead of a gap.
+Only the latest ``progress`` event of each job is kept, so a slow reader is never more than one such event per job
+behind; of ``point`` events only the latest ones are kept. Event ids are ``<boot>-<number>``. After a restart, or when
+too many events have passed, a reader gets the present state instead of a gap.
 """
 
 import asyncio
@@ -16,7 +16,7 @@ PROGRESS, POINT, DONE = "progress", "point", "done"
 
 
 class Event(NamedTuple):
-    """``data`` is the job's document at that moment; of POINT events the points."""
+    """``data`` is the job's document at that moment; for POINT events, the points."""
 
     id: str
     name: str
@@ -98,9 +98,9 @@ class EventLog:
         try:
             position = self.position(last_id)
             if position is None:
-                position = self._number  # first: what happens meanwhile is told twice rather than not at all
-                told = await asyncio.to_thread(present)
-                events = [event._replace(id=f"{self._boot}-{position}") for event in told]
+                position = self._number  # first: an event in between is then sent twice rather than not at all
+                current = await asyncio.to_thread(present)
+                events = [event._replace(id=f"{self._boot}-{position}") for event in current]
             else:
                 events, position = self.since(position, client, job_id)
             while not self.closed:

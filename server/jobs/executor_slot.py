@@ -1,8 +1,23 @@
-"""Where a piece of work is computed, and how that may end: a worker process, or a place on a cluster."""
+"""Where a call is computed, and how that may end: a worker process, or a place on a cluster."""
 
 import threading
 from collections.abc import Callable
 from typing import Any, NamedTuple, Protocol
+
+Progress = Callable[[float], None]
+Stop = Callable[[], bool]
+
+
+class Call(NamedTuple):
+    """A computation that another process can do: ``function(*arguments, progress=…, stop=…)``, both optional.
+
+    The function is sent by its name, so the other process must be able to import it. ``addresses`` name what is
+    computed, where the place of computation needs a name for it.
+    """
+
+    function: Callable[..., Any]
+    arguments: tuple[Any, ...] = ()
+    addresses: tuple[str, ...] = ()
 
 
 class Finished(NamedTuple):
@@ -25,27 +40,27 @@ Outcome = Finished | Failed | Stopped | Died
 
 
 class NoConnection(Exception):
-    """The cluster cannot be reached just now."""
+    """The cluster cannot be reached at the moment."""
 
 
-class Lane(Protocol):
+class ExecutorSlot(Protocol):
     """Used by one thread at a time, except ``close``."""
 
-    def run(self, kind: str, piece: Any, progress: Callable[[float], None], stop: threading.Event) -> Outcome:
-        """Have work done; returns when it is finished, failed, stopped, or the process died. NoConnection."""
+    def run(self, call: Call, progress: Progress, stop: threading.Event) -> Outcome:
+        """Compute a call; returns when it is finished, failed, stopped, or the process died. NoConnection."""
 
     def close(self) -> None:
-        """End what is computing now."""
+        """End the computation under way."""
 
 
 class Cluster(Protocol):
-    """Lanes on other machines: at most ``most``, ``capacity`` at present."""
+    """Slots on other machines: at most ``most``, ``capacity`` at present."""
 
     most: int
-    lanes: int
+    slots: int
 
     @property
     def capacity(self) -> int: ...
     def start(self) -> None: ...
-    def new_lane(self) -> Lane: ...
+    def new_slot(self) -> ExecutorSlot: ...
     def close(self) -> None: ...

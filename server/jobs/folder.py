@@ -1,4 +1,4 @@
-"""The folder with jobs and results: one server at a time has it."""
+"""The folder with jobs and results; one server at a time uses it."""
 
 import fcntl
 import os
@@ -9,10 +9,10 @@ MOST_SERVERS = 100
 
 
 class Folder:
-    """A folder that no other server uses while this one has it; the system lets go of it however a server ends.
+    """A folder that no other server uses while this one holds its lock; the system releases it however a server ends.
 
     ``wanted`` itself, or when another server has it ``wanted-2``, ``wanted-3``, …: every server runs the jobs it
-    accepted, none runs another's. ``number`` says which one it is.
+    accepted, none runs another's. ``number`` tells which one it is; 0 before ``open``.
     """
 
     def __init__(self, wanted: Path):
@@ -20,7 +20,7 @@ class Folder:
         self.path, self.number = wanted, 0
 
     def open(self) -> None:
-        """Take the folder, made where it is not there. OSError where it cannot be made."""
+        """Take the folder, and create it if it does not exist. OSError where that cannot be."""
         for self.number in range(1, MOST_SERVERS + 1):
             self.path = self._numbered()
             self.results.mkdir(parents=True, exist_ok=True)
@@ -45,7 +45,7 @@ class Folder:
         return self.path / RESULTS
 
     def close(self) -> None:
-        """Let another server have it."""
+        """Release the folder for other servers."""
         if self._lock >= 0:
             os.close(self._lock)
             self._lock = -1

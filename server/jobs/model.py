@@ -2,7 +2,7 @@
 
 accepted ──> running ──> successful
     │  <──────┘  │            │
-    │            ├──> failed  │        running → accepted: its worker died, it is tried once more
+    │            ├──> failed  │        running → accepted: its worker died, it is tried again once
     └────────────┴──────┴─────┴──> dismissed
 """
 
@@ -11,32 +11,6 @@ from enum import StrEnum
 from typing import Any
 
 from vfcore.errors import VocalisError
-
-
-class NoSuchJob(VocalisError):
-    """No job has this id."""
-
-
-class WrongKind(VocalisError):
-    """A job of this kind has no such part."""
-
-
-class NotFinished(VocalisError):
-    """The job has no result to give (yet, or ever)."""
-
-
-class ResultGone(VocalisError):
-    """The job succeeded, but its result has made room for newer ones."""
-
-
-class QueueFull(VocalisError):
-    """No more jobs are taken for the moment."""
-
-    retry_after_s = 5
-
-
-class WorkerDied(VocalisError):
-    """The worker process ended on its own, twice."""
 
 
 class IllegalTransition(VocalisError):

@@ -1,5 +1,6 @@
-"""Scalars of sweep points on disk: one row per point, shared by every sweep that asks for it."""
+"""Scalars of sweep points on disk: one row per point, shared by every sweep that contains it."""
 
+import threading
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ from vocalis.server.jobs.model import Job
 from vocalis.server.jobs.store import save_jobs
 from vocalis.server.jobs.tables import MEMBERS, POINTS
 
-_AT_A_TIME = 500  # addresses in one question
+_AT_A_TIME = 500  # addresses in one query
 _COMPUTED = insert(POINTS).values(times=1)
 _COMPUTED = _COMPUTED.on_conflict_do_update(
     index_elements=["address"],
@@ -24,10 +25,31 @@ _NEW_MEMBER = insert(MEMBERS).values(number=_NUMBER).on_conflict_do_nothing()
 
 
 class Done(NamedTuple):
-    """Positions of a sweep that need no computing any more, and how many of them have no answer."""
+    """Positions of a sweep that are done, and how many of them have no answer."""
 
     positions: set[int]
     n_failed: int
+
+
+class InFlight:
+    """Addresses of points being computed, of all sweeps: none is computed twice at the same time. Thread-safe."""
+
+    def __init__(self) -> None:
+        self._addresses: set[str] = set()
+        self._lock = threading.Lock()
+
+    def claim(self, addresses: list[str]) -> list[bool]:
+        """Which of these were free and are now taken."""
+        with self._lock:
+            free = []
+            for address in addresses:
+                free.append(address not in self._addresses)
+                self._addresses.add(address)
+            return free
+
+    def release(self, addresses: list[str]) -> None:
+        with self._lock:
+            self._addresses.difference_update(addresses)
 
 
 class PointStore:
@@ -35,9 +57,10 @@ class PointStore:
 
     def __init__(self, database: Database):
         self._database = database
+        self.in_flight = InFlight()
 
     def done(self, work_id: str) -> Done:
-        """What of a sweep is stored."""
+        """Which points of a sweep are stored."""
         with self._database.read() as connection:
             rows = connection.execute(
                 select(MEMBERS.c.position, func.coalesce(POINTS.c.state, ""))
@@ -51,15 +74,15 @@ class PointStore:
         found: dict[str, tuple[int, bool]] = {}
         with self._database.read() as connection:
             for first in range(0, len(addresses), _AT_A_TIME):
-                asked = [bytes.fromhex(address) for address in addresses[first : first + _AT_A_TIME]]
+                keys = [bytes.fromhex(address) for address in addresses[first : first + _AT_A_TIME]]
                 rows = connection.execute(
-                    select(POINTS.c.address, POINTS.c.number, POINTS.c.state).where(POINTS.c.address.in_(asked))
+                    select(POINTS.c.address, POINTS.c.number, POINTS.c.state).where(POINTS.c.address.in_(keys))
                 )
                 found |= {row.address.hex(): (row.number, row.state is None) for row in rows}
         return found
 
     def link(self, work_id: str, numbers: Mapping[int, int], jobs: Iterable[Job]) -> None:
-        """Let stored points be those of a sweep at these positions; ``jobs`` are saved with them."""
+        """Make stored points members of a sweep at these positions; ``jobs`` are saved with them."""
         with self._database.write() as connection:
             if numbers:
                 members = [
@@ -108,8 +131,8 @@ class PointStore:
             .where(MEMBERS.c.work_id == work_id)
         )
         with self._database.read() as connection:
-            for position, octets, problem in connection.execute(wanted.execution_options(yield_per=1000)):
-                yield position, failed_row(problem or "", width) if octets is None else decode(octets)
+            for position, row, problem in connection.execute(wanted.execution_options(yield_per=1000)):
+                yield position, failed_row(problem or "", width) if row is None else decode(row)
 
     def recomputed(self) -> int:
         """How many stored points were computed more than once."""

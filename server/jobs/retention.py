@@ -1,4 +1,4 @@
-"""What is kept, and for how long: by age, by number and by size, and never at the cost of work under way."""
+"""What is kept, and for how long: limits on age, number and size. Work under way is never touched."""
 
 import threading
 import time
@@ -8,8 +8,9 @@ from typing import NamedTuple
 from sqlalchemy import delete, exists, func, select
 from sqlalchemy.dialects.sqlite import insert
 
-from vocalis.server.jobs.archive import ENDING, Archive
-from vocalis.server.jobs.database import Database, StorageFull
+from vocalis.server.exceptions import StorageFull
+from vocalis.server.jobs.archive import Archive
+from vocalis.server.jobs.database import Database
 from vocalis.server.jobs.folder import Folder
 from vocalis.server.jobs.model import ACTIVE
 from vocalis.server.jobs.tables import JOBS, KEYS, MEMBERS, POINTS, RESULTS
@@ -18,7 +19,7 @@ EVERY_S = 60.0
 
 
 class Limits(NamedTuple):
-    """``jobs`` finished ones; ``days`` for jobs and for results nobody asked for; ``points`` rows."""
+    """``jobs``: finished ones; ``days``: for jobs and for unused results; ``points``: rows."""
 
     jobs: int
     days: float
@@ -27,7 +28,7 @@ class Limits(NamedTuple):
 
 
 class Retention:
-    """Tidies in a thread of its own: when it is started, and every minute."""
+    """Applies the limits every minute, in a thread of its own."""
 
     def __init__(self, database: Database, archive: Archive, folder: Folder, limits: Limits):
         self._database, self._archive, self._folder, self._limits = database, archive, folder, limits
@@ -40,13 +41,13 @@ class Retention:
         self._end.set()
 
     def tidy(self) -> None:
-        """Forget what is beyond the limits."""
-        self._forget_jobs()
-        self._forget_points()
-        self._forget_results()
+        """Remove what is beyond the limits."""
+        self._remove_jobs()
+        self._remove_points()
+        self._remove_results()
 
     def adopt(self) -> None:
-        """Results written just before a server ended get their rows, and what it had only begun to write goes."""
+        """Add rows for results that were written just before a server ended, and remove unfinished files."""
         with self._database.read() as connection:
             known = set(connection.scalars(select(RESULTS.c.content)))
         for path in self._folder.results.iterdir():
@@ -54,7 +55,7 @@ class Retention:
                 for draft in path.iterdir():
                     draft.unlink()
                 path.rmdir()
-            elif path.suffix == ENDING and path.stem not in known:
+            elif path.suffix in self._archive.endings and path.stem not in known:
                 with self._database.write() as connection:
                     connection.execute(
                         insert(RESULTS).values(content=path.stem, bytes=path.stat().st_size, used=time.time())
@@ -64,10 +65,10 @@ class Retention:
         while not self._end.wait(EVERY_S):
             try:
                 self.tidy()
-            except StorageFull:  # forgetting needs a little room itself; whoever asks for more is told
+            except StorageFull:  # removing needs a little room itself; clients that need more get the problem
                 continue
 
-    def _forget_jobs(self) -> None:
+    def _remove_jobs(self) -> None:
         over = JOBS.c.status.not_in(ACTIVE)
         before = (datetime.now(UTC) - timedelta(days=self._limits.days)).isoformat(timespec="milliseconds")
         newest = select(JOBS.c.sequence).where(over).order_by(JOBS.c.sequence.desc())
@@ -79,17 +80,17 @@ class Retention:
             connection.execute(delete(KEYS).where(~exists().where(JOBS.c.id == KEYS.c.job_id)))
             connection.execute(delete(MEMBERS).where(~exists().where(JOBS.c.work_id == MEMBERS.c.work_id)))
 
-    def _forget_points(self) -> None:
+    def _remove_points(self) -> None:
         """The oldest points that no sweep of a kept job has."""
         with self._database.write() as connection:
-            surplus = connection.scalar(select(func.count()).select_from(POINTS)) - self._limits.points
+            surplus = connection.execute(select(func.count()).select_from(POINTS)).scalar_one() - self._limits.points
             if surplus > 0:
                 unused = ~exists().where(MEMBERS.c.number == POINTS.c.number)
                 oldest = select(POINTS.c.number).where(unused).order_by(POINTS.c.number).limit(surplus)
                 connection.execute(delete(POINTS).where(POINTS.c.number.in_(oldest)))
 
-    def _forget_results(self) -> None:
-        """The least recently used ones, but for those a job under way will give."""
+    def _remove_results(self) -> None:
+        """The least recently used ones, except those that a job under way needs."""
         old = time.time() - self._limits.days * 86400
         wanted = exists().where(JOBS.c.content == RESULTS.c.content, JOBS.c.status.in_(ACTIVE))
         with self._database.read() as connection:

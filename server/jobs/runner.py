@@ -1,11 +1,11 @@
-"""The worker process: takes one piece of work after the other from a pipe, and answers on it.
+"""The worker process: takes one call after the other from a pipe, and answers on it.
 
-In:  ("run", kind, piece) · ("stop",)
+In:  ("run", function, arguments) · ("stop",)
 Out: ("progress", fraction) · ("result", frames) followed by so many frames of bytes · ("problem", document) ·
      ("stopped",)
 
-It ends when the other end of the pipe is closed. A result travels as pickle protocol 5, its arrays out of
-band, each in a frame of its own: no copy is made to serialise them.
+It ends when the other end of the pipe is closed. A result is sent as pickle protocol 5 with its arrays out of band,
+each in a frame of its own: serialising them makes no copy.
 """
 
 import os
@@ -20,34 +20,6 @@ from vfcore.runs.memory import keep_freed_memory
 
 NICENESS = 10
 PROGRESS_EVERY_S = 0.1
-
-Progress = Callable[[float], None]
-Stop = Callable[[], bool]
-
-
-def _simulation(request: dict[str, Any], progress: Progress, stop: Stop) -> Any:
-    from vfcore.runs.one import simulate
-    from vfcore.spec.request import resolve
-
-    return simulate(resolve(request), progress, stop)
-
-
-def _part_of_sweep(piece: tuple[Any, str], _: Progress, stop: Stop) -> Any:
-    from vfcore.runs.sweep.task import run_task
-
-    return run_task(*piece, stop)
-
-
-def _rehearsal(*_: Any) -> None:
-    from vocalis.server.warmup.requests import rehearse_points
-
-    rehearse_points()
-
-
-#: What a worker can do, by kind of job.
-KINDS: dict[str, Callable[[Any, Progress, Stop], Any]] = {
-    "simulation": _simulation, "sweep": _part_of_sweep, "rehearsal": _rehearsal,
-}  # fmt: skip
 
 
 def serve_work(pipe: Connection) -> None:
@@ -64,12 +36,12 @@ def serve_work(pipe: Connection) -> None:
             return
 
 
-def _answer(pipe: Connection, kind: str, piece: Any) -> None:
+def _answer(pipe: Connection, function: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
     from vfcore.errors import Cancelled
-    from vocalis.server.http.problems import problem_of
+    from vocalis.server.problems import problem_of
 
     try:
-        result = KINDS[kind](piece, _Throttled(pipe), lambda: _stop_asked(pipe))
+        result = function(*arguments, progress=_Throttled(pipe), stop=lambda: _stop_requested(pipe))
     except Cancelled:
         pipe.send(("stopped",))
     except EOFError:
@@ -91,13 +63,13 @@ def read_result(pipe: Connection, frames: int) -> Any:
     return pickle.loads(head, buffers=arrays)
 
 
-def _stop_asked(pipe: Connection) -> bool:
+def _stop_requested(pipe: Connection) -> bool:
     """Between chunks, only ("stop",) can be in the pipe."""
     return pipe.poll() and pipe.recv() == ("stop",)
 
 
 class _Throttled:
-    """Progress, but not more often than anybody can see."""
+    """Reports progress, but not more often than a person can see."""
 
     def __init__(self, pipe: Connection):
         self._pipe = pipe

@@ -1,7 +1,8 @@
-"""Long work in processes of its own: a queue, lanes that work on it, and what becomes of each piece.
+"""Long work in other processes: the work that waits, and the executor slots that compute its tasks.
 
-A lane is a thread with something that computes: a worker process, or a place on a cluster. Single runs go first, in
-their order; sweeps share what is left, the one with the fewest tasks under way next.
+A slot is a worker process or a place on a cluster, served by a thread of its own. Work that is not shared goes first,
+in the order of its submission. Shared work gets what is left: the next task comes from the work with the fewest tasks
+under way.
 """
 
 import logging
@@ -11,35 +12,28 @@ from collections import deque
 from typing import Any
 
 from vfcore.errors import VocalisError
-from vocalis.server.http.problems import problem_of
-from vocalis.server.jobs.executor_slot import Cluster, Died, Failed, Finished, Lane
-from vocalis.server.jobs.points import PointStore
-from vocalis.server.jobs.sweep_task import carry_out
-from vocalis.server.jobs.sweep_work import InFlight, SweepWork
-from vocalis.server.jobs.work import Listener, Work
+from vocalis.server.jobs.computations import warm_up
+from vocalis.server.jobs.executor_slot import Call, Cluster, Died, ExecutorSlot, Failed
+from vocalis.server.jobs.work import Task, Work, WorkListener
 from vocalis.server.jobs.worker import Worker
+from vocalis.server.problems import problem_of
 
 log = logging.getLogger("vocalis")
-ATTEMPTS = 2  # a worker may die once under a piece of work
 CLOSE_S = 1.0
 
 
-class Engine:
-    """At most ``workers`` processes, which start when there is work for them (``warm`` of them before, see ``warm``);
-    and with a ``cluster`` as many tasks of sweeps on it as it has room for.
+class Scheduler:
+    """At most ``workers`` processes, started when there is work for them (``warm`` of them before, see ``warm_up``);
+    with a ``cluster`` shared work runs on that, in as many tasks as it has room for.
     """
 
-    def __init__(
-        self, workers: int, listener: Listener, points: PointStore, cluster: Cluster | None = None, warm: int = 0
-    ):
+    def __init__(self, workers: int, listener: WorkListener, cluster: Cluster | None = None, warm: int = 0):
         self._most, self._cluster, self._warm = workers, cluster, min(warm, workers)
-        self._listener, self._points = listener, points
-        self._queue: deque[Work] = deque()
-        self._running: dict[str, Work] = {}
-        self._sweeps: dict[str, SweepWork] = {}
-        self._in_flight = InFlight()
-        self._out = 0  # tasks of sweeps under way
-        self._turn = 0  # goes up when something has changed for sweeps
+        self._listener = listener
+        self._work: dict[str, Work] = {}  # neither complete, failed nor stopped
+        self._queue: deque[Work] = deque()  # of these, what is not shared and has not begun
+        self._under_way: list[Work] = []  # once for every task
+        self._turn = 0  # goes up when shared work may have new tasks
         self._workers: list[Worker] = []
         self._threads: list[threading.Thread] = []
         self._idle = 0
@@ -47,35 +41,31 @@ class Engine:
         self._changed = threading.Condition()
 
     def start(self) -> None:
-        """Connect to the cluster, where there is one."""
+        """Connect to the cluster, if there is one."""
         if self._cluster is not None:
             self._cluster.start()
 
-    def warm(self) -> None:
-        """Start processes and have them load their kernels, so that no first map waits for that."""
+    def warm_up(self) -> None:
+        """Start processes and load their kernels, so that no first map waits for that."""
         with self._changed:
             while len(self._workers) < self._warm and not self._closing.is_set():
-                self._open_lane(rehearse=True)
+                self._open_worker(warm=True)
 
     def submit(self, work: Work) -> None:
-        """Put a single run at the end of the queue."""
+        """Take work; it begins when a slot is free."""
         with self._changed:
-            self._queue.append(work)
-            if self._idle < len(self._queue):
-                self._open_lane()
-            self._changed.notify_all()
-
-    def submit_sweep(self, sweep: SweepWork) -> None:
-        """Let a sweep take its share of the workers."""
-        with self._changed:
-            self._sweeps[sweep.id] = sweep
-            if self._cluster is None:
-                sweep.portions.workers = self._most
-                for _ in range(min(self._most, len(sweep.sweep))):
-                    self._open_lane()
+            self._work[work.id] = work
+            if not work.is_shared:
+                self._queue.append(work)
+                if self._idle < len(self._queue):
+                    self._open_worker()
+            elif self._cluster is None:
+                work.workers = self._most
+                for _ in range(min(self._most, work.most_tasks)):
+                    self._open_worker()
             else:
-                sweep.portions.workers = self._cluster.capacity
-                self._open_cluster_lanes()
+                work.workers = self._cluster.capacity
+                self._open_cluster_slots(self._cluster)
             self._turn += 1
             self._changed.notify_all()
 
@@ -83,17 +73,17 @@ class Engine:
         """Take work out of the queue, or stop it within a second (on a cluster: when its present tasks are done)."""
         with self._changed:
             self._queue = deque(work for work in self._queue if work.id != work_id)
-            for under_way in (self._running.get(work_id), self._sweeps.pop(work_id, None)):
-                if under_way is not None:
-                    under_way.stop.set()
+            if (work := self._work.pop(work_id, None)) is not None:
+                work.stop.set()
 
     @property
     def name(self) -> str:
+        """How tasks of shared work are computed."""
         return "processes" if self._cluster is None else "dask"
 
     @property
     def workers(self) -> int:
-        """How many pieces of work can be under way."""
+        """How many tasks can be under way."""
         return self._most if self._cluster is None else self._cluster.capacity
 
     @property
@@ -104,19 +94,21 @@ class Engine:
     @property
     def busy(self) -> tuple[str, ...]:
         """Ids of the work under way."""
-        return (*self._running, *(() if not self._out else self._sweeps))
+        with self._changed:
+            return tuple(dict.fromkeys(work.id for work in self._under_way))
 
     @property
     def waiting(self) -> int:
         """How many pieces of work have not begun."""
-        return len(self._queue) + sum(not sweep.tasks_out and not sweep.n_done for sweep in self._sweeps.values())
+        with self._changed:
+            return sum(not work.begun for work in self._work.values())
 
     def close(self) -> None:
         """Stop everything; returns within about a second."""
         with self._changed:
             self._closing.set()
             self._queue.clear()
-            for work in (*self._running.values(), *self._sweeps.values()):
+            for work in (*self._work.values(), *self._under_way):
                 work.stop.set()
             self._changed.notify_all()
         for worker in self._workers:
@@ -127,124 +119,93 @@ class Engine:
         if self._cluster is not None:
             self._cluster.close()
 
-    def _open_lane(self, rehearse: bool = False) -> None:
+    def _open_worker(self, warm: bool = False) -> None:
         if len(self._workers) < self._most:
             self._workers.append(worker := Worker())
-            self._start(worker, runs=True, sweeps=self._cluster is None, rehearse=rehearse)
+            self._serve_in_thread(worker, True, self._cluster is None, warm)
 
-    def _open_cluster_lanes(self) -> None:
-        while self._cluster.lanes < min(self._cluster.capacity, self._cluster.most):
-            self._start(self._cluster.new_lane(), runs=False, sweeps=True)
+    def _open_cluster_slots(self, cluster: Cluster) -> None:
+        while cluster.slots < min(cluster.capacity, cluster.most):
+            self._serve_in_thread(cluster.new_slot(), False, True, False)
 
-    def _start(self, lane: Lane, runs: bool, sweeps: bool, rehearse: bool = False) -> None:
-        what = lane, runs, sweeps, rehearse
-        self._threads.append(threading.Thread(target=self._serve, args=what, name="lane", daemon=True))
+    def _serve_in_thread(self, slot: ExecutorSlot, single: bool, shared: bool, warm: bool) -> None:
+        arguments = slot, single, shared, warm
+        self._threads.append(threading.Thread(target=self._serve, args=arguments, name="slot", daemon=True))
         self._threads[-1].start()
 
-    def _serve(self, lane: Lane, runs: bool, sweeps: bool, rehearse: bool) -> None:
-        if rehearse and isinstance(lane.run("rehearsal", None, lambda _: None, self._closing), Failed | Died):
-            log.warning("a worker could not rehearse: first runs will take longer")
-        while (piece := self._take(runs, sweeps)) is not None:
-            if isinstance(piece, Work):
-                self._run_single(lane, piece)
-            else:
-                self._serve_sweep(lane, piece)
+    def _serve(self, slot: ExecutorSlot, single: bool, shared: bool, warm: bool) -> None:
+        """Main function of a slot's thread; ``single`` and ``shared``: which work it takes."""
+        if warm and isinstance(slot.run(Call(warm_up), lambda _: None, self._closing), Failed | Died):
+            log.warning("a worker could not warm up: first runs will take longer")
+        while (work := self._take(single, shared)) is not None:
+            self._serve_task(slot, work)
 
-    def _take(self, runs: bool, sweeps: bool) -> Work | SweepWork | None:
+    def _take(self, single: bool, shared: bool) -> Work | None:
         with self._changed:
             while not self._closing.is_set():
-                if runs and self._queue:
-                    work = self._queue.popleft()
-                    self._running[work.id] = work
+                work = self._queue.popleft() if single and self._queue else None
+                if work is None and shared and self._has_room():
+                    work = self._next_shared()
+                if work is not None:
+                    work.begun = True
+                    work.tasks_out += 1
+                    self._under_way.append(work)
                     return work
-                if sweeps and self._has_room() and (sweep := self._next_sweep()) is not None:
-                    sweep.tasks_out += 1
-                    self._out += 1
-                    return sweep
-                self._idle += runs
+                self._idle += single
                 self._changed.wait()
-                self._idle -= runs
+                self._idle -= single
             return None
 
     def _has_room(self) -> bool:
-        return self._cluster is None or self._out < self._cluster.capacity
+        return self._cluster is None or sum(work.is_shared for work in self._under_way) < self._cluster.capacity
 
-    def _next_sweep(self) -> SweepWork | None:
-        asking = [sweep for sweep in self._sweeps.values() if sweep.asked_at != self._turn]
-        return min(asking, key=lambda sweep: sweep.tasks_out, default=None)
+    def _next_shared(self) -> Work | None:
+        ready = [work for work in self._work.values() if work.is_shared and work.asked_at != self._turn]
+        return min(ready, key=lambda work: work.tasks_out, default=None)
 
-    # Single runs.
-
-    def _run_single(self, lane: Lane, work: Work) -> None:
+    def _serve_task(self, slot: ExecutorSlot, work: Work) -> None:
+        """One task, from planning to recording."""
+        task: Task | None = None
+        with self._changed:
+            turn = self._turn
         try:
-            self._run(lane, work)
+            task = work.next_task()
+            if task is not None and (problem := task.run(slot)) is not None:
+                self._fail(work, problem)
         except Exception as error:
-            log.exception("work %s failed in the server", work.id)
-            lane.close()
+            if not isinstance(error, VocalisError):
+                log.exception("work %s failed in the server", work.id)
+                slot.close()  # what is still in its pipe belongs to this task
+            self._fail(work, problem_of(error))
+        finally:
+            if task is not None:
+                task.close()
+        with self._changed:
+            complete = work.is_complete and self._work.pop(work.id, None) is not None
+        if complete:
+            self._finish(work)
+        with self._changed:
+            work.tasks_out -= 1
+            self._under_way.remove(work)
+            if task is None:
+                work.asked_at = turn
+            else:
+                self._turn += 1
+                if self._cluster is not None and work.is_shared:
+                    self._open_cluster_slots(self._cluster)
+            self._changed.notify_all()
+
+    def _finish(self, work: Work) -> None:
+        try:
+            work.finish()
+        except Exception as error:
+            log.exception("the answer of work %s could not be stored", work.id)
             self._listener.failed(work.id, problem_of(error))
-        finally:
-            with self._changed:
-                del self._running[work.id]
 
-    def _run(self, lane: Lane, work: Work) -> None:
-        say = self._listener
-        while True:
-            work.attempts += 1
-            say.started(work.id)
-            outcome = lane.run(work.kind, work.request, lambda part: say.progressed(work.id, part), work.stop)
-            if isinstance(outcome, Died) and work.attempts < ATTEMPTS and not work.stop.is_set():
-                say.retried(work.id)
-                continue
-            if isinstance(outcome, Finished):
-                say.finished(work.id, outcome.result)
-            elif isinstance(outcome, Failed):
-                say.failed(work.id, outcome.problem)
-            elif isinstance(outcome, Died) and not work.stop.is_set():
-                say.died(work.id, outcome.exit_code)
-            return
-
-    # Sweeps.
-
-    def _serve_sweep(self, lane: Lane, sweep: SweepWork) -> None:
-        """One task of a sweep, from planning to storing."""
-        task, found = None, False
+    def _fail(self, work: Work, problem: dict[str, Any]) -> None:
+        """End work with a problem, unless it is over already."""
         with self._changed:
-            turn, begins = self._turn, not sweep.begun
-            sweep.begun = True
-        try:
-            if begins:
-                self._listener.started(sweep.id)
-            task = sweep.next_task(self._points, self._listener, self._in_flight)
-            found = task is not None
-            if task is not None:
-                problem = carry_out(lane, task, self._listener)
-                if problem is not None:
-                    self._fail(sweep, problem)
-        except Exception as error:
-            if not sweep.stop.is_set():
-                if not isinstance(error, VocalisError):
-                    log.exception("sweep %s failed in the server", sweep.id)
-                self._fail(sweep, problem_of(error))
-        finally:
-            if task is not None:
-                self._in_flight.release(task.addresses)
-            with self._changed:
-                sweep.tasks_out -= 1
-                self._out -= 1
-                if found:
-                    self._turn += 1
-                    if self._cluster is not None:
-                        self._open_cluster_lanes()
-                else:
-                    sweep.asked_at = turn
-                complete = sweep.is_complete and self._sweeps.pop(sweep.id, None) is not None
-                self._changed.notify_all()
-            if complete:
-                self._listener.finished(sweep.id, None)
-
-    def _fail(self, sweep: SweepWork, problem: dict[str, Any]) -> None:
-        sweep.stop.set()
-        with self._changed:
-            known = self._sweeps.pop(sweep.id, None)
+            known = self._work.pop(work.id, None)
         if known is not None:
-            self._listener.failed(sweep.id, problem)
+            work.stop.set()
+            self._listener.failed(work.id, problem)

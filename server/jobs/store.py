@@ -1,7 +1,7 @@
-"""Jobs on disk, the unfinished ones in memory too, and the keys they were handed in with.
+"""Jobs on disk, the unfinished ones in memory too, and the Idempotency-Keys they were submitted with.
 
-Not thread-safe on its own: the desk holds its lock around every call. What a job is waiting for happens in memory
-(progress, many times a second) and reaches the disk with ``save``.
+Not thread-safe by itself: the job service and the recorder hold their common lock around every call. Progress is
+frequent and kept in memory; ``save`` writes a job to disk.
 """
 
 from collections.abc import Collection, Iterable
@@ -18,7 +18,7 @@ _FIELDS = tuple(field.name for field in fields(Job))
 _FIXED = {"id", "sequence", "client", "kind", "request", "content", "created"}
 _CHANGING = tuple(name for name in _FIELDS if name not in _FIXED)
 _COLUMNS = [JOBS.c[name] for name in _FIELDS]
-_UPDATE = update(JOBS).where(JOBS.c.id == bindparam("job_id")).values({name: bindparam(name) for name in _CHANGING})
+_CHANGE = update(JOBS).where(JOBS.c.id == bindparam("job_id")).values({name: bindparam(name) for name in _CHANGING})
 
 
 class KeyUse(NamedTuple):
@@ -29,32 +29,33 @@ class KeyUse(NamedTuple):
 
 
 class JobStore:
-    """Jobs by id; ``active()`` are those a server that starts has to go on with."""
+    """Jobs by id; ``active()`` are those that a new server has to continue."""
 
     def __init__(self, database: Database):
         self._database = database
         self._active: dict[str, Job] = {}
-        self._unsaved: dict[str, Job] = {}  # over, but the disk was full
+        self._unsaved: dict[str, Job] = {}  # ended while the disk was full
 
     def load(self) -> None:
-        """Read what a server before this one left unfinished."""
+        """Read the jobs that the last server left unfinished."""
         with self._database.read() as connection:
             rows = connection.execute(select(*_COLUMNS).where(JOBS.c.status.in_(ACTIVE)).order_by(JOBS.c.sequence))
             self._active = {row.id: _job(row) for row in rows}
 
     def add(self, job: Job, key: str | None = None) -> None:
-        """Take a new job, with the key it was handed in with, and give it its place in the order."""
+        """Take a new job, with the key it was submitted with, and give it its sequence number."""
         with self._database.write() as connection:
             values = _values(job)
             del values["sequence"]
-            job.sequence = connection.execute(insert(JOBS).values(values)).inserted_primary_key[0]
+            inserted = connection.execute(insert(JOBS).values(values)).inserted_primary_key
+            job.sequence = inserted[0] if inserted else 0
             if key is not None:
-                _remember(connection, job.client, key, KeyUse(job.content, job.id))
-        self._keep_in_mind(job)
+                _store_key(connection, job.client, key, KeyUse(job.content, job.id))
+        self._remember_job(job)
 
     def save(self, job: Job) -> None:
-        """Keep a change of a job, and what could not be kept before. In memory it has happened even on a full disk."""
-        self._keep_in_mind(job)
+        """Store a change of a job, and earlier ones that could not be stored. In memory it holds on a full disk too."""
+        self._remember_job(job)
         with self._database.write() as connection:
             save_jobs(connection, [job, *self._unsaved.values()])
         self._unsaved.clear()
@@ -64,13 +65,13 @@ class JobStore:
         return list(self._active.values())
 
     def readdress(self, job: Job) -> None:
-        """Keep the new address of a job and of the work it waits for."""
+        """Store the new address of a job and of the work it waits for."""
         with self._database.write() as connection:
             connection.execute(update(JOBS).where(JOBS.c.id == job.id).values(content=job.content))
             save_jobs(connection, [job])
 
     def get(self, job_id: str) -> Job | None:
-        return self._in_mind(job_id) or self._first(JOBS.c.id == job_id)
+        return self._in_memory(job_id) or self._first(JOBS.c.id == job_id)
 
     def handles(self, work_id: str) -> list[Job]:
         """Unfinished jobs that wait for one computation."""
@@ -85,10 +86,10 @@ class JobStore:
         ]
         if found:
             return found[-1]
-        over = [status for status in statuses if status not in ACTIVE]
-        if not over:
+        ended = [status for status in statuses if status not in ACTIVE]
+        if not ended:
             return None
-        wanted = (JOBS.c.content == content) & JOBS.c.status.in_(over)
+        wanted = (JOBS.c.content == content) & JOBS.c.status.in_(ended)
         return self._first(wanted if client is None else wanted & (JOBS.c.client == client))
 
     def page(
@@ -103,7 +104,7 @@ class JobStore:
             wanted = wanted.where(JOBS.c.sequence < before)
         with self._database.read() as connection:
             rows = connection.execute(wanted.order_by(JOBS.c.sequence.desc()).limit(limit + 1)).all()
-        jobs = [self._in_mind(row.id) or _job(row) for row in rows]
+        jobs = [self._in_memory(row.id) or _job(row) for row in rows]
         return jobs[:limit], len(jobs) > limit
 
     def count_active(self, client: str) -> int:
@@ -119,31 +120,31 @@ class JobStore:
 
     def remember(self, client: str, key: str, use: KeyUse) -> None:
         with self._database.write() as connection:
-            _remember(connection, client, key, use)
+            _store_key(connection, client, key, use)
 
     def _first(self, wanted: Any) -> Job | None:
         with self._database.read() as connection:
             row = connection.execute(select(*_COLUMNS).where(wanted).order_by(JOBS.c.sequence.desc()).limit(1)).first()
         return None if row is None else _job(row)
 
-    def _keep_in_mind(self, job: Job) -> None:
+    def _remember_job(self, job: Job) -> None:
         if job.status in ACTIVE:
             self._active[job.id] = job
         else:
             self._active.pop(job.id, None)
             self._unsaved[job.id] = job
 
-    def _in_mind(self, job_id: str) -> Job | None:
+    def _in_memory(self, job_id: str) -> Job | None:
         return self._active.get(job_id) or self._unsaved.get(job_id)
 
 
 def save_jobs(connection: Connection, jobs: Iterable[Job]) -> None:
-    """Keep changes of jobs, inside a transaction."""
+    """Store changes of jobs, inside a transaction."""
     for job in jobs:
-        connection.execute(_UPDATE, _values(job, _CHANGING) | {"job_id": job.id})
+        connection.execute(_CHANGE, _values(job, _CHANGING) | {"job_id": job.id})
 
 
-def _remember(connection: Connection, client: str, key: str, use: KeyUse) -> None:
+def _store_key(connection: Connection, client: str, key: str, use: KeyUse) -> None:
     connection.execute(delete(KEYS).where(KEYS.c.client == client, KEYS.c.key == key))
     connection.execute(insert(KEYS).values(client=client, key=key, content=use.content, job_id=use.job_id))
 

@@ -1,4 +1,4 @@
-"""The tables on disk: jobs, the keys they were handed in with, scalars of sweep points, and where results lie."""
+"""The tables on disk: jobs, the keys they were submitted with, scalars of sweep points, and the files of results."""
 
 from sqlalchemy import (
     JSON,
@@ -15,7 +15,7 @@ from sqlalchemy import (
 )
 
 METADATA = MetaData()
-#: Raised when a table changes; a folder of another layout is not read.
+#: To be raised when a table changes; a folder with another layout is not read.
 LAYOUT = 1
 
 JOBS = Table(

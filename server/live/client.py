@@ -1,8 +1,8 @@
-"""The client of a played voice, in the process of the voices: a web socket that never waits.
+"""The client of a live voice, in the voice process: a WebSocket that never waits.
 
-What passes a hundred times a second, short texts in and frames out, is read and written here; everything else of a
-web socket (closing, pings, pieces, faults) is left to the protocol of ``websockets``, which gets whole frames only. A
-general parser that was just woken takes as long over one word of the hand as the tract over its sound.
+The frequent frames, short texts in and sound out, are read and written here. Everything else of a WebSocket (close,
+ping, fragments, faults) is left to the protocol of ``websockets``, which gets whole frames only. On a core that has
+just woken, a general parser takes as long for one control message as the vocal tract for a block of sound.
 """
 
 import socket
@@ -10,29 +10,29 @@ import time
 from contextlib import suppress
 
 from websockets.frames import Frame, Opcode
-from websockets.protocol import Protocol, Side, State
+from websockets.protocol import Event, Protocol, Side, State
 
-#: What the system may hold of what is not yet read; half a second of sound, so that one who does not listen is noticed.
+#: Send buffer of the system, bytes: half a second of sound, so that a client that does not read is noticed.
 SYSTEM_BYTES = 65_536
-#: What waits beyond it, octets: some more.
+#: Most bytes that wait for room in it.
 MOST_WAITING = 135_000
-READ_BYTES = 65_536  # at a time: nobody keeps the other voices waiting
+READ_BYTES = 65_536  # at a time, so that no client delays the other voices
 LARGEST_FRAME = 65_536
-MESSAGES_PER_S = 200  # a hand makes 60; twice as many may come at once
-FAREWELL_S = 1.0  # for the client's own last word
+MESSAGES_PER_S = 200  # a moved slider sends 60; a burst may have twice as many
+CLOSE_S = 1.0  # for the client's own close frame
 POLICY, GOING_AWAY = 1008, 1012
-_TEXT, _BINARY = 0x81, 0x82  # the first octet of a frame that is a whole message
+_TEXT, _BINARY = 0x81, 0x82  # the first byte of a frame that is a whole message
 _MASKED = 0x80
 _LONGEST_HEADER = 14
-_SHORT, _TWO_OCTETS = 126, 65_536  # lengths that take no octets of their own, and two
+_SHORT, _TWO_BYTES = 126, 65_536  # lengths below take no bytes of their own, and two
 
 
-class Left(Exception):
-    """The client has gone, or has been sent away."""
+class ClientGone(Exception):
+    """The client has left, or was disconnected."""
 
 
 class Client:
-    """``messages``, ``send`` and ``send_sound`` raise Left when there is nobody any more."""
+    """``messages``, ``send`` and ``send_sound`` raise ClientGone when the connection has ended."""
 
     def __init__(self, connection: socket.socket, greeting: bytes):
         self._socket = connection
@@ -44,14 +44,14 @@ class Client:
         self._waiting = bytearray(greeting)
         self._unread = b""  # the beginning of a frame
         self._parts: list[Frame] = []
-        self._meter = Meter(MESSAGES_PER_S)
+        self._rate = RateLimit(MESSAGES_PER_S)
         self._until_s = 0.0
 
     def fileno(self) -> int:
         return self._socket.fileno()
 
     def wait(self, seconds: float) -> None:
-        """Until the client has said something, for so long at most."""
+        """Wait until the client has sent something, for so long at most."""
         self.flush()
         self._socket.settimeout(seconds)
         with suppress(OSError):
@@ -59,18 +59,18 @@ class Client:
         self._socket.setblocking(False)
 
     def messages(self) -> list[str | bytes]:
-        """What the client has said since the last call."""
+        """The messages that have arrived since the last call."""
         try:
             data = self._socket.recv(READ_BYTES)
         except BlockingIOError:
             return []
         except OSError as error:
-            raise Left from error
+            raise ClientGone from error
         if not data:
-            raise Left
+            raise ClientGone
         if self._unread:
             data = self._unread + data
-        said: list[str | bytes] = []
+        messages: list[str | bytes] = []
         at = 0
         while at < len(data):
             mask_at, end = _place(data, at)
@@ -78,45 +78,45 @@ class Client:
             if end > len(data) and not too_large:
                 break
             if mask_at and data[at] == _TEXT and not too_large and not self._parts:
-                said.append(_unmasked(data, mask_at, end).decode(errors="replace"))
+                messages.append(_unmasked(data, mask_at, end).decode(errors="replace"))
             else:
-                said += self._by_the_book(data[at:end])
+                messages += self._by_library(data[at:end])
             at = end
         self._unread = data[at:]
-        for _ in said:
-            if not self._meter.count():
-                self.dismiss(POLICY, f"more than {MESSAGES_PER_S} messages a second")
-                raise Left
-        return said
+        for _ in messages:
+            if not self._rate.count():
+                self.begin_close(POLICY, f"more than {MESSAGES_PER_S} messages a second")
+                raise ClientGone
+        return messages
 
     def send(self, text: str) -> None:
-        """A frame of text, which goes with the next ``flush``."""
-        octets = text.encode()
-        self._waiting += _header(_TEXT, len(octets)) + octets
+        """Queue a text frame for the next ``flush``."""
+        payload = text.encode()
+        self._waiting += _header(_TEXT, len(payload)) + payload
 
-    def send_sound(self, octets: bytearray) -> None:
-        """A binary frame, which goes with the next ``flush``."""
-        self._waiting += _header(_BINARY, len(octets))
-        self._waiting += octets
+    def send_sound(self, payload: bytearray) -> None:
+        """Queue a binary frame for the next ``flush``."""
+        self._waiting += _header(_BINARY, len(payload))
+        self._waiting += payload
 
     def flush(self) -> None:
-        """Hand the system what waits; what it does not take at once goes the next time."""
+        """Send what is queued; what the system does not take is sent the next time."""
         self._flush()
         if len(self._waiting) > MOST_WAITING:
-            self.dismiss(POLICY, "the sound is not taken as fast as it is made")
-            raise Left
+            self.begin_close(POLICY, "the sound is not taken as fast as it is made")
+            raise ClientGone
 
-    def dismiss(self, code: int = 1000, reason: str = "") -> None:
-        """Say farewell; ``lingers`` then tells when the socket may be closed."""
+    def begin_close(self, code: int = 1000, reason: str = "") -> None:
+        """Send a close frame; ``is_closing`` then tells when the socket may be closed."""
         if self._protocol.state is State.OPEN:
             self._protocol.send_close(code, reason)
-            with suppress(Left):
-                self._post()
+            with suppress(ClientGone):
+                self._flush_protocol()
 
-    def lingers(self) -> bool:
-        """Whether the client has not yet heard the farewell: a socket closed earlier would take the word back."""
+    def is_closing(self) -> bool:
+        """Whether the client has not answered the close frame yet: closing the socket earlier might discard it."""
         now = time.monotonic()
-        self._until_s = self._until_s or now + FAREWELL_S
+        self._until_s = self._until_s or now + CLOSE_S
         try:
             self._flush()
             while self._protocol.close_rcvd is None:
@@ -128,7 +128,7 @@ class Client:
             return bool(self._waiting) and now < self._until_s
         except BlockingIOError:
             return now < self._until_s
-        except (OSError, Left):
+        except (OSError, ClientGone):
             return False
 
     def close(self) -> None:
@@ -136,16 +136,16 @@ class Client:
             self._socket.shutdown(socket.SHUT_RDWR)
         self._socket.close()
 
-    def _by_the_book(self, frame: bytes) -> list[str | bytes]:
-        """The whole messages that end with a frame."""
+    def _by_library(self, frame: bytes) -> list[str | bytes]:
+        """The whole messages that end with a frame, read by the library."""
         self._protocol.receive_data(frame)
-        self._post()
+        self._flush_protocol()
         if self._protocol.state is not State.OPEN:
-            raise Left
+            raise ClientGone
         return [message for one in self._protocol.events_received() if (message := self._whole(one)) is not None]
 
-    def _whole(self, frame: Frame) -> str | bytes | None:
-        if frame.opcode not in (Opcode.TEXT, Opcode.BINARY, Opcode.CONT):
+    def _whole(self, frame: Event) -> str | bytes | None:
+        if not isinstance(frame, Frame) or frame.opcode not in (Opcode.TEXT, Opcode.BINARY, Opcode.CONT):
             return None
         self._parts.append(frame)
         if not frame.fin:
@@ -154,7 +154,7 @@ class Client:
         data = b"".join(bytes(part.data) for part in parts)
         return data.decode(errors="replace") if parts[0].opcode is Opcode.TEXT else data
 
-    def _post(self) -> None:
+    def _flush_protocol(self) -> None:
         for data in self._protocol.data_to_send():
             self._waiting += data
         self._flush()
@@ -166,13 +166,13 @@ class Client:
         except BlockingIOError:
             return
         except OSError as error:
-            raise Left from error
+            raise ClientGone from error
 
 
 def _place(data: bytes, at: int) -> tuple[int, int]:
-    """Of the frame that begins at ``at``: where its mask stands, 0 when it has none, and where it ends.
+    """The position of the mask (0: none) and the end of the frame that begins at ``at``.
 
-    The end is beyond all data while its header has not come.
+    The end is beyond all data while the header is incomplete.
     """
     unknown = (0, len(data) + 1)
     if len(data) < at + 2:
@@ -187,7 +187,7 @@ def _place(data: bytes, at: int) -> tuple[int, int]:
 
 
 def _unmasked(data: bytes, mask_at: int, end: int) -> bytes:
-    """The payload that ends at ``end``, after its mask of 4 octets."""
+    """The payload that ends at ``end``, after its mask of 4 bytes."""
     payload = data[mask_at + 4 : end]
     count = len(payload)
     key = (data[mask_at : mask_at + 4] * (count // 4 + 1))[:count]
@@ -195,22 +195,22 @@ def _unmasked(data: bytes, mask_at: int, end: int) -> bytes:
 
 
 def _header(first: int, length: int) -> bytes:
-    """Of an unmasked frame."""
+    """The header of an unmasked frame."""
     if length < _SHORT:
         return bytes((first, length))
-    if length < _TWO_OCTETS:
+    if length < _TWO_BYTES:
         return bytes((first, _SHORT)) + length.to_bytes(2, "big")
     return bytes((first, _SHORT + 1)) + length.to_bytes(8, "big")
 
 
-class Meter:
+class RateLimit:
     """A token bucket."""
 
     def __init__(self, per_second: float):
         self._per_second, self._left, self._at = per_second, 2.0 * per_second, time.monotonic()
 
     def count(self) -> bool:
-        """One message more; False when it is one too many."""
+        """Count one message; False when it is too many."""
         now = time.monotonic()
         self._left = min(2.0 * self._per_second, self._left + (now - self._at) * self._per_second) - 1.0
         self._at = now

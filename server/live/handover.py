@@ -1,12 +1,12 @@
-"""The way out of the server for a played voice: the client's connection goes to the process of the voices.
+"""Passes the connection of a live voice from the server to the voice process.
 
-Sound that passed through the server's own event loop would wake it a hundred times a second for every voice, and would
-wait for whatever else the server does. So an accepted connection is handed over as it is, with the answer to its
-handshake still unsaid, and the server has nothing to do with it until the voice is over. Where the socket itself
-cannot go, because it is encrypted or the system does not hand sockets on, a pair of sockets goes in its place and
-octets are carried between.
+If sound passed through the server's event loop, every voice would wake it a hundred times a second, and would wait for
+whatever else the server does. So an accepted connection is passed on as it is, with the answer to its handshake not
+yet sent, and the server does nothing with it until the voice has ended. Where the socket itself cannot be passed on,
+because it is encrypted or the system does not support that, one end of a socket pair is passed on in its place and the
+server copies bytes between the two.
 
-``HandsOver`` is what ``uvicorn.Config(ws=…)`` takes; a route finds ``hand_over`` by ``hand_over_of``.
+``HandoverProtocol`` is for ``uvicorn.Config(ws=…)``; a route gets ``hand_over`` from ``hand_over_of``.
 """
 
 import asyncio
@@ -22,36 +22,36 @@ from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIO
 EXTENSION = "vocalis.hand_over"
 
 
-class Handed(NamedTuple):
-    """A connection that somebody else goes on with: ``greeting`` is to be sent first, web socket frames follow."""
+class Connected(NamedTuple):
+    """A connection to be taken over: ``greeting`` is to be sent first, WebSocket frames follow."""
 
     socket: socket.socket
     greeting: bytes
 
 
-class HandsOver(WebSocketsSansIOProtocol):
-    """Uvicorn's web socket, which can be handed over before it is accepted."""
+class HandoverProtocol(WebSocketsSansIOProtocol):
+    """Uvicorn's WebSocket, which can be handed over before it is accepted."""
 
     _handed_over = False
-    _pipe: asyncio.Transport | None = None  # to the other one of the pair
+    _pipe: asyncio.Transport | None = None  # to the other end of the socket pair
 
     async def run_asgi(self) -> None:
         cast(dict, self.scope["extensions"])[EXTENSION] = self.hand_over
         await super().run_asgi()
 
-    async def hand_over(self) -> Handed:
+    async def hand_over(self) -> Connected:
         """The connection; from now on the server itself neither reads from it nor writes to it."""
         self.transport.pause_reading()
         self.conn.send_response(self.response)
         greeting = b"".join(self.conn.data_to_send())
-        self.handshake_complete = self.close_sent = self._handed_over = True  # nothing more is said from here
-        if can_go(self.transport):
+        self.handshake_complete = self.close_sent = self._handed_over = True  # uvicorn sends nothing more
+        if can_pass_on(self.transport):
             descriptor = os.dup(self.transport.get_extra_info("socket").fileno())
-            return Handed(socket.socket(fileno=descriptor), greeting)
-        ours, theirs = socket.socketpair()
-        self._pipe, _ = await self.loop.create_connection(lambda: _Back(self.transport), sock=ours)
+            return Connected(socket.socket(fileno=descriptor), greeting)
+        own_end, other_end = socket.socketpair()
+        self._pipe, _ = await self.loop.create_connection(lambda: _ToClient(self.transport), sock=own_end)
         self.transport.resume_reading()
-        return Handed(theirs, greeting)
+        return Connected(other_end, greeting)
 
     def data_received(self, data: bytes) -> None:
         if self._pipe is not None:
@@ -80,8 +80,8 @@ class HandsOver(WebSocketsSansIOProtocol):
         super().shutdown()
 
 
-class _Back(asyncio.Protocol):
-    """What the process of the voices says, to the client."""
+class _ToClient(asyncio.Protocol):
+    """Copies what the voice process sends to the client."""
 
     def __init__(self, client: asyncio.Transport):
         self._client = client
@@ -93,11 +93,11 @@ class _Back(asyncio.Protocol):
         self._client.close()
 
 
-def can_go(transport: asyncio.Transport) -> bool:
-    """Whether a connection's own socket can be given to another process."""
+def can_pass_on(transport: asyncio.Transport) -> bool:
+    """Whether a connection's own socket can be passed to another process."""
     return sys.platform != "win32" and transport.get_extra_info("sslcontext") is None
 
 
-def hand_over_of(scope: Scope) -> Callable[[], Awaitable[Handed]] | None:
+def hand_over_of(scope: Scope) -> Callable[[], Awaitable[Connected]] | None:
     """How a connection is handed over; None under a server that cannot."""
     return scope.get("extensions", {}).get(EXTENSION)

@@ -1,4 +1,4 @@
-"""The server's side of played voices: starts their process, hands clients over to it, and counts them."""
+"""The server's side of live voices: starts the voice process, passes clients to it, and counts them."""
 
 import asyncio
 import multiprocessing
@@ -7,32 +7,64 @@ from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 from itertools import count
 from multiprocessing.connection import Connection
-from typing import Any
+from multiprocessing.context import SpawnProcess
 
-from vocalis.server.http.problems import NotReady, TooMany
-from vocalis.server.live.handover import Handed
-from vocalis.server.live.process import FAREWELL_S, WARM, serve_voices
+from vocalis.server.exceptions import NotReady, TooMany
+from vocalis.server.live.handover import Connected
+from vocalis.server.live.voice_process import CLOSE_S, READY, serve_voices
 
 _SPAWN = multiprocessing.get_context("spawn")
 START_S = 60.0  # compiling on a slow machine
 
 
-class Host:
-    """At most ``most`` voices. Their process starts with the first one, and anew when it has died."""
+class _VoiceProcess:
+    """One voice process and the clients in it. Replaced by another one when it has died."""
+
+    def __init__(self, process: SpawnProcess, control: Connection):
+        self.process, self.control = process, control
+        self.gone = threading.Event()  # set as soon as the process does not answer, before the system reports its end
+        self.ends: dict[int, asyncio.Future[None]] = {}
+
+    @property
+    def is_alive(self) -> bool:
+        return self.process.is_alive() and not self.gone.is_set()
+
+    def close(self) -> None:
+        """End every voice."""
+        self.control.close()
+        self.process.join(CLOSE_S)
+        self.process.kill()
+        self.process.join(1.0)
+
+    def watch(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Note which clients have left; all of them when the process ends. Main function of a thread."""
+
+        def left(*numbers: int) -> None:
+            for number in numbers or tuple(self.ends):
+                if number in self.ends and not self.ends[number].done():
+                    self.ends[number].set_result(None)
+
+        with suppress(RuntimeError):  # the loop is closed
+            with suppress(EOFError, OSError):
+                while True:
+                    loop.call_soon_threadsafe(left, self.control.recv())
+            self.gone.set()
+            loop.call_soon_threadsafe(left)
+
+
+class VoiceHost:
+    """At most ``most`` voices. Their process starts with the first one, and again after it has died."""
 
     def __init__(self, most: int):
         self._most = most
         self.playing = 0
-        self._process: Any = None
-        self._control: Connection | None = None
-        self._gone = threading.Event()  # set as soon as the process does not listen, before the system calls it dead
+        self._current: _VoiceProcess | None = None
         self._starting = asyncio.Lock()
         self._numbers = count()
-        self._over: dict[int, asyncio.Future[None]] = {}
 
     @asynccontextmanager
-    async def place(self) -> AsyncIterator[Callable[[Handed], Awaitable[None]]]:
-        """A place among the voices: what it gives plays for a client until it has left. Raises TooMany or NotReady."""
+    async def place(self) -> AsyncIterator[Callable[[Connected], Awaitable[None]]]:
+        """Reserve a voice; the function it gives plays for a client until that has left. Raises TooMany or NotReady."""
         if self.playing >= self._most:
             raise TooMany(
                 f"{self.playing} voices are being played, the most this server takes (VOCALIS_LIVE_VOICES). "
@@ -47,72 +79,50 @@ class Host:
 
     def close(self) -> None:
         """End every voice."""
-        if self._process is not None:
-            self._control.close()
-            self._process.join(FAREWELL_S)
-            self._process.kill()
-            self._process.join(1.0)
+        if self._current is not None:
+            self._current.close()
 
-    async def _play(self, client: Handed) -> None:
+    async def _play(self, client: Connected) -> None:
+        voices = await self._started()
         try:
-            number, over = self._hand(client)
+            number, end = self._pass_on(client, voices)
         except OSError:  # the process has just died: this voice gets the next one
-            self._gone.set()
-            await self._started()
-            number, over = self._hand(client)
-        control, waiting = self._control, self._over
+            voices.gone.set()
+            voices = await self._started()
+            number, end = self._pass_on(client, voices)
         try:
             client.socket.close()
-            await over
+            await end
         finally:
-            waiting.pop(number, None)
-            if not over.done() or over.cancelled():
+            voices.ends.pop(number, None)
+            if not end.done() or end.cancelled():
                 with suppress(OSError):
-                    control.send((number,))
+                    voices.control.send((number,))
 
-    def _hand(self, client: Handed) -> tuple[int, asyncio.Future[None]]:
-        """Give a client to the process: its number there, and what is done when it has left."""
-        number, over = next(self._numbers), asyncio.get_running_loop().create_future()
-        self._control.send((number, *client))
-        self._over[number] = over
-        return number, over
+    def _pass_on(self, client: Connected, voices: _VoiceProcess) -> tuple[int, asyncio.Future[None]]:
+        """Pass a client to the process: its number there, and a future that is done when it has left."""
+        number, end = next(self._numbers), asyncio.get_running_loop().create_future()
+        voices.control.send((number, *client))
+        voices.ends[number] = end
+        return number, end
 
-    async def _started(self) -> None:
+    async def _started(self) -> _VoiceProcess:
         async with self._starting:
-            if self._process is not None and self._process.is_alive() and not self._gone.is_set():
-                return
-            self._gone, self._over = threading.Event(), {}
-            self._control, theirs = _SPAWN.Pipe()
-            self._process = _SPAWN.Process(target=serve_voices, args=(theirs,), name="vocalis-voices", daemon=True)
-            await asyncio.to_thread(self._process.start)
-            theirs.close()
+            if self._current is not None and self._current.is_alive:
+                return self._current
+            control, other_end = _SPAWN.Pipe()
+            process = _SPAWN.Process(target=serve_voices, args=(other_end,), name="vocalis-voices", daemon=True)
+            self._current = voices = _VoiceProcess(process, control)
+            await asyncio.to_thread(process.start)
+            other_end.close()
             try:
-                warm = await asyncio.to_thread(self._control.poll, START_S) and self._control.recv() == WARM
+                ready = await asyncio.to_thread(control.poll, START_S) and control.recv() == READY
             except EOFError:
-                warm = False
-            if not warm:
-                self.close()
+                ready = False
+            if not ready:
+                voices.close()
                 raise NotReady("Not ready: the process that plays voices did not start.")
-            hearing = (self._control, asyncio.get_running_loop(), self._over, self._gone)
-            threading.Thread(target=_hear, args=hearing, name="voices", daemon=True).start()
-
-
-def _hear(
-    control: Connection,
-    loop: asyncio.AbstractEventLoop,
-    over: dict[int, asyncio.Future[None]],
-    gone: threading.Event,
-) -> None:
-    """Note which clients have left; all, when the process ends."""
-
-    def left(*numbers: int) -> None:
-        for number in numbers or tuple(over):
-            if number in over and not over[number].done():
-                over[number].set_result(None)
-
-    with suppress(RuntimeError):  # the loop is closed
-        with suppress(EOFError, OSError):
-            while True:
-                loop.call_soon_threadsafe(left, control.recv())
-        gone.set()
-        loop.call_soon_threadsafe(left)
+            threading.Thread(
+                target=voices.watch, args=(asyncio.get_running_loop(),), name="voices", daemon=True
+            ).start()
+            return voices

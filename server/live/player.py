@@ -1,4 +1,4 @@
-"""One played voice, in the process of the voices: words of the hand go in, a block of sound every 10 ms comes out."""
+"""One live voice, in the voice process: control messages in, a block of sound every 10 ms out."""
 
 import time
 from collections.abc import Callable
@@ -14,18 +14,18 @@ from vfcore.spec.paths import value_at
 from vfcore.spec.request import flat, patched
 from vfcore.spec.simulation import Simulation
 from vfcore.version import MODEL_VERSION
-from vocalis.server.http.problems import problem_of
-from vocalis.server.live.client import GOING_AWAY, Client, Left
+from vocalis.server.live.client import GOING_AWAY, Client, ClientGone
 from vocalis.server.live.pace import EARLY_S, Pace
 from vocalis.server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, read_message
 from vocalis.server.live.recording import Recording
-from vocalis.server.live.shown import STATE_EVERY, Shown, rounded
+from vocalis.server.live.state_frame import STATE_EVERY, StateFrame, rounded
 from vocalis.server.live.strobe import Strobe
+from vocalis.server.problems import problem_of
 
-FIRST_WORD_S = 0.25  # a client that says nothing gets the modal voice
-LEAD_BLOCKS = 3  # sent at once, so that the client has something to play from
-CALM_BLOCKS = 25  # after so long without a movement the hand rests
-MOST_AT_ONCE = 4  # blocks a turn, when a voice is late: the others wait
+FIRST_MESSAGE_S = 0.25  # a client that sends nothing until then gets the modal voice
+LEAD_BLOCKS = 3  # sent at once, so that the client has a buffer to play from
+CALM_BLOCKS = 25  # after this long without a change the voice is at rest
+MOST_AT_ONCE = 4  # blocks a turn when a voice is late, because the others wait
 
 
 class Player:
@@ -33,85 +33,85 @@ class Player:
 
     def __init__(self, client: Client):
         self._client = client
-        self._hung_up = self._over = False
+        self._stopping = self._over = False
         self._wanted: Simulation = Simulation()
         self._paths: tuple[str, ...] = ()
-        self._voice: Voice | None = None
+        self._made: Voice | None = None
         self._strobe = Strobe()
         self._recording: Recording | None = None
         self._first_recorded = 0
         self._sequence = 0
         self._calm = 0
-        self._shown = Shown()
-        self._frame = SoundFrame()
+        self._frame = StateFrame()
+        self._sound = SoundFrame()
         self._pace = Pace(BLOCK_S)
 
     def is_due(self, now_s: float) -> bool:
-        """Whether it is time for a turn: for the next block, or because the hand has moved."""
+        """Whether it is time for a turn: for the next block, or for a control message."""
         return self.wakes_s <= now_s + EARLY_S
 
     @property
     def wakes_s(self) -> float:
-        """When it will be due if nobody says anything more."""
+        """The time of the next turn if no further message comes."""
         return self._pace.wakes_s
 
     @property
-    def listens(self) -> bool:
-        """Whether its client is there to speak."""
+    def is_open(self) -> bool:
+        """Whether its client may still send messages."""
         return not self._over
 
     def fileno(self) -> int:
         return self._client.fileno()
 
     def prepare(self) -> bool:
-        """Hear what is wanted first and make that voice, which may compile; False when all is over."""
-        return self._goes_on(self._first_words)
+        """Wait for the first message and make that voice, which may compile; False when it is over."""
+        return self._continues(self._begin_playing)
 
-    def hear(self) -> bool:
-        """Take what the client has said; False when all is over."""
-        return self._goes_on(self._listen)
+    def receive(self) -> bool:
+        """Take the messages of the client; False when the voice is over."""
+        return self._continues(self._receive)
 
     def turn(self) -> bool:
-        """Make the blocks that are due; False when all is over. A voice that breaks down says why."""
-        return self._goes_on(self._next)
+        """Make the blocks that are due; False when the voice is over. A voice that fails sends the problem."""
+        return self._continues(self._make_blocks)
 
-    def hang_up(self) -> None:
-        """The server stops: to be called from any thread."""
-        self._hung_up = True
+    def stop(self) -> None:
+        """End the voice because the server stops; may be called from any thread."""
+        self._stopping = True
 
     def close(self) -> None:
         self._client.close()
 
-    def _goes_on(self, act: Callable[[], None]) -> bool:
+    def _continues(self, act: Callable[[], None]) -> bool:
         if not self._over:
             try:
                 act()
-                if not self._pace.moved:  # or it goes with the block that follows at once
+                if not self._pace.moved:  # otherwise the blocks that follow at once are sent with it
                     self._client.flush()
-            except Left:
+            except ClientGone:
                 self._over = True
             except VocalisError as error:
-                self._say({"type": "problem", "problem": problem_of(error), "over": True})
+                self._send({"type": "problem", "problem": problem_of(error), "over": True})
                 self._end()
         if not self._over:
             return True
         self._pace.moved, self._pace.due_s = False, time.monotonic() + BLOCK_S
-        return self._client.lingers()
+        return self._client.is_closing()
 
-    def _end(self, *why) -> None:
-        self._client.dismiss(*why)
+    def _end(self, *why: Any) -> None:
+        self._client.begin_close(*why)
         self._over = True
 
-    def _first_words(self) -> None:
-        self._client.wait(FIRST_WORD_S)
-        self._listen()
+    def _begin_playing(self) -> None:
+        self._client.wait(FIRST_MESSAGE_S)
+        self._receive()
         self._begin()
-        self._say({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": BLOCK_SAMPLES,
+        self._send({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": BLOCK_SAMPLES,
                    "full_scale_pa": FULL_SCALE_PA, "model_version": MODEL_VERSION})  # fmt: skip
         self._pace.due_s = time.monotonic() - LEAD_BLOCKS * BLOCK_S
 
-    def _next(self) -> None:
-        if self._hung_up:
+    def _make_blocks(self) -> None:
+        if self._stopping:
             return self._end(GOING_AWAY, "the server stops")
         now = time.monotonic()
         until_s = self._pace.turn(now, self._calm > CALM_BLOCKS)
@@ -122,11 +122,16 @@ class Player:
             self._pace.block()
         self._pace.keep_up(now)
 
+    @property
+    def _voice(self) -> Voice:
+        assert self._made is not None, "prepare() comes first"
+        return self._made
+
     def _begin(self) -> None:
-        self._voice = Voice(self._wanted, played=True)
+        self._made = Voice(self._wanted, played=True)
         self._paths = ()
         self._strobe = Strobe()
-        self._shown.clear()
+        self._frame.clear()
 
     def _block(self) -> None:
         voice = self._voice
@@ -135,19 +140,19 @@ class Player:
         show = (self._sequence + 1) % STATE_EVERY == 0
         look_at = 0
         if show:
-            look_at = self._strobe.moment(self._shown.area_m2, STATE_EVERY * BLOCK_S)
+            look_at = self._strobe.moment(self._frame.area_m2, STATE_EVERY * BLOCK_S)
         block = voice.advance(target, look_at)
         if self._recording is not None:
             self._recording.take(voice.blocks, target)
-        self._client.send_sound(self._frame.of(self._sequence, block.audio_pa))
+        self._client.send_sound(self._sound.of(self._sequence, block.audio_pa))
         self._sequence += 1
-        self._shown.take(block)
+        self._frame.take(block)
         if show:
-            self._show()
-            self._shown.clear()
+            self._send_state()
+            self._frame.clear()
 
     def _target(self, now: Simulation) -> Simulation:
-        """Where the next block leads to."""
+        """The request that the next block ends at."""
         wanted = self._wanted
         if not self._paths:
             target = now
@@ -159,10 +164,10 @@ class Player:
             self._paths = tuple(p for p in self._paths if value_at(target, p) != value_at(wanted, p))
         return target if target.vowel == wanted.vowel else replace(target, vowel=wanted.vowel)
 
-    def _show(self) -> None:
-        """What the page draws: the folds as the strobe saw them, and the waves since the last time."""
+    def _send_state(self) -> None:
+        """Send what the page draws: the folds at the moment of the strobe, and the waves since the last frame."""
         voice = self._voice
-        said = {
+        state = {
             "type": "state",
             "sequence": self._sequence,
             "time_s": round(voice.blocks * BLOCK_S, 3),
@@ -172,18 +177,18 @@ class Player:
             "length_m": voice.posture.length_m,
             "recording_s": None if self._recording is None else round(self._recording.blocks * BLOCK_S, 2),
         }
-        self._client.send(self._shown.text(said, *voice.outline))
+        self._client.send(self._frame.text(state, *voice.outline))
 
-    def _listen(self) -> None:
-        """Everything the client has said since the last time; the newest of each number wins."""
+    def _receive(self) -> None:
+        """Take all messages since the last call; the newest value of each parameter wins."""
         change: dict[str, Any] = {}
         record: bool | None = None
         stamp: int | None = None
-        for said in self._client.messages():
+        for text in self._client.messages():
             try:
-                message = read_message(said)
+                message = read_message(text)
             except ParameterError as error:
-                self._say({"type": "problem", "problem": problem_of(error), "over": False})
+                self._send({"type": "problem", "problem": problem_of(error), "over": False})
                 continue
             if "wanted_buffer_ms" in message and "buffer_ms" in message:
                 self._pace.lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
@@ -196,26 +201,26 @@ class Player:
         if record is not None:
             self._record(record)
         if stamp is not None:
-            self._say({"type": "heard", "stamp": stamp, "sequence": self._sequence})
+            self._send({"type": "heard", "stamp": stamp, "sequence": self._sequence})
 
     def _patch(self, message: dict[str, Any]) -> dict[str, Any]:
-        """The part of a message that is a patch on what is wanted; empty, and reported, where it is none."""
+        """The part of a message that is a patch on the request; empty, and reported, where it is none."""
         try:
             return flat(message)
         except ParameterError as error:
-            self._say({"type": "problem", "problem": problem_of(error), "over": False})
+            self._send({"type": "problem", "problem": problem_of(error), "over": False})
             return {}
 
     def _want(self, change: dict[str, Any]) -> None:
-        voice = self._voice
+        voice = self._made
         try:
             wanted = patched(self._wanted, change)
             if voice is not None and (wanted.run, wanted.model) != (voice.request.run, voice.request.model):
-                raise ParameterError("model", "cannot change while the voice goes on", "a new connection")
+                raise ParameterError("model", "cannot change while the voice is played", "a new connection")
             if voice is not None and (wanted.posture is None) != (self._wanted.posture is None):
-                raise ParameterError("posture", "cannot come or go while the voice goes on", "a new connection")
+                raise ParameterError("posture", "cannot come or go while the voice is played", "a new connection")
         except ParameterError as error:
-            self._say({"type": "problem", "problem": problem_of(error), "over": False})
+            self._send({"type": "problem", "problem": problem_of(error), "over": False})
             return
         self._wanted = wanted
         if voice is not None:
@@ -230,8 +235,8 @@ class Player:
             self._first_recorded = self._sequence
         elif self._recording is not None:
             document = self._recording.document()
-            self._say({"type": "gesture", "first_sequence": self._first_recorded, "gesture": document})
+            self._send({"type": "gesture", "first_sequence": self._first_recorded, "gesture": document})
             self._recording = None
 
-    def _say(self, document: dict[str, Any]) -> None:
+    def _send(self, document: dict[str, Any]) -> None:
         self._client.send(json_text(document))

@@ -1,13 +1,13 @@
-"""What is said over the web socket.
+"""The messages over the WebSocket of a live voice.
 
-Client → server, JSON text: a partial simulation request (``{"activation": {"ct": 0.4}}``), merged into what stands;
-beside its fields ``"buffer_ms"`` (the least sound the client had waiting lately) with ``"wanted_buffer_ms"``,
-``"stamp"`` (a number of the client's own, answered by ``heard``), and ``"record"`` true (begin again from rest and keep
-the gesture) or false (send it).
+Client → server, JSON text: a partial simulation request (``{"activation": {"ct": 0.4}}``), applied to the request in
+force; with it ``"buffer_ms"`` (the least sound that the client had buffered lately) and ``"wanted_buffer_ms"``,
+``"stamp"`` (any number of the client, answered by ``heard``), and ``"record"`` true (start again from rest and record
+the gesture) or false (send the recorded gesture).
 
 Server → client, binary: uint32 little-endian sequence number, then 480 float32 samples at 48 kHz, in units of
 ``full_scale_pa``. Text: ``{"type": "ready" | "state" | "gesture" | "problem", …}``, and ``{"type": "heard", "stamp",
-"sequence"}``: the newest stamp that was heard, and the first frame of sound that follows it.
+"sequence"}``, the acknowledgement of the newest stamp: ``sequence`` is the first frame of sound after that message.
 """
 
 import json
@@ -22,7 +22,7 @@ from vfcore.io.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 LONGEST_MESSAGE = 16_384
 BLOCK_SAMPLES = AUDIO_RATE_HZ // 100
 CONTROLS = ("buffer_ms", "wanted_buffer_ms", "stamp", "record")
-LARGEST_STAMP = 2**53 - 1  # of the whole numbers that JavaScript keeps exactly
+LARGEST_STAMP = 2**53 - 1  # the largest whole number that JavaScript keeps exactly
 
 
 def read_message(text: str | bytes) -> dict[str, Any]:
@@ -52,14 +52,14 @@ def read_message(text: str | bytes) -> dict[str, Any]:
 
 
 class SoundFrame:
-    """A binary frame, number and samples; the same octets every time, for there is one every 10 ms."""
+    """A binary frame, number and samples; it reuses its memory, because there is one every 10 ms."""
 
     def __init__(self) -> None:
-        self._octets = bytearray(4 + 4 * BLOCK_SAMPLES)
-        self._samples = np.frombuffer(self._octets, "<f4", offset=4)
+        self._bytes = bytearray(4 + 4 * BLOCK_SAMPLES)
+        self._samples = np.frombuffer(self._bytes, "<f4", offset=4)
 
     def of(self, sequence: int, audio_pa: np.ndarray) -> bytearray:
         """Block number ``sequence``, good until the next call."""
-        struct.pack_into("<I", self._octets, 0, sequence & 0xFFFFFFFF)
+        struct.pack_into("<I", self._bytes, 0, sequence & 0xFFFFFFFF)
         np.divide(audio_pa, FULL_SCALE_PA, out=self._samples, casting="same_kind")
-        return self._octets
+        return self._bytes

@@ -1,4 +1,4 @@
-"""A played gesture as data: what each block was asked to reach, as breakpoints a gesture can be rendered from."""
+"""A played gesture as data: the target of each block, as breakpoints from which the gesture can be rendered."""
 
 from dataclasses import replace
 from typing import Any
@@ -14,7 +14,7 @@ LONGEST_BLOCKS = 60_000  # 10 minutes
 
 
 class Recording:
-    """From the first block of a voice on. Rendering its document gives the same samples."""
+    """Records from the first block of a voice. Rendering its document gives the same samples."""
 
     def __init__(self, start: Simulation):
         self._start = self._last = start
@@ -29,7 +29,7 @@ class Recording:
         self.blocks = block
         for path in differences(self._last, target):
             points = self._numbers.setdefault(path, [(0, value_at(self._start, path))])
-            if points[-1][0] < block - 1:  # it stood still until the block before
+            if points[-1][0] < block - 1:  # it was constant until the block before
                 points.append((block - 1, points[-1][1]))
             points.append((block, value_at(target, path)))
         if target.vowel != self._last.vowel:

@@ -1,4 +1,4 @@
-"""Which moment of a block to look at, so that a fast vibration is seen slowly: a strobe locked to f_o."""
+"""A strobe locked to f_o: it chooses the moment of each picture so that a fast vibration appears slow."""
 
 import math
 
@@ -10,7 +10,7 @@ from vfcore.runs.gesture.voice import BLOCK_STEPS
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 SLOW_HZ = 1.5  # apparent cycles a second
-THINNED = 3  # f_o is sought in every third sample: nothing of the area's shape is lost at 9.3 kHz
+THINNED = 3  # f_o is found from every third sample: 9.3 kHz is enough for the shape of the area
 _MOMENTS = np.arange(STRETCH_STEPS, BLOCK_STEPS + 1, STRETCH_STEPS)
 _WINDOW = round(WINDOW_S / DEFAULT_STEP_S)
 

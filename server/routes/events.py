@@ -8,15 +8,15 @@ from fastapi import APIRouter, Depends, Header
 from fastapi.concurrency import run_in_threadpool
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 
+from vocalis.server.exceptions import TooMany
 from vocalis.server.http.errors import StreamOver
 from vocalis.server.http.openapi import problems
-from vocalis.server.http.problems import TooMany
 from vocalis.server.jobs.events import Event
 from vocalis.server.jobs.model import ACTIVE
 from vocalis.server.services import Client, Services, Shared
 
 router = APIRouter(tags=["events"])
-_RESPONSES = problems(404, 422, 429) | {204: {"description": "Nothing more will happen to this job."}}
+_RESPONSES = problems(404, 422, 429) | {204: {"description": "There will be no further events of this job."}}
 LastId = Annotated[str | None, Header(alias="Last-Event-ID", description="id of the last event that was read")]
 
 
@@ -24,7 +24,7 @@ async def job_stream(
     job_id: str, shared: Shared, client: Client, last_id: LastId = None
 ) -> AsyncIterator[AsyncIterator[Event]]:
     """Dependency: the events of one job. Errors have to come before the stream starts."""
-    job = await run_in_threadpool(shared.desk.job, job_id)
+    job = await run_in_threadpool(shared.jobs.job, job_id)
     position = shared.events.position(last_id)
     if job.status not in ACTIVE and position is not None and not shared.events.since(position, "", job_id)[0]:
         raise StreamOver
@@ -46,15 +46,15 @@ async def _open(
         raise TooMany(f"A client may have {limit} event streams open (VOCALIS_STREAMS_PER_CLIENT).")
     streams[client] += 1
     try:
-        yield shared.events.follow(client, job_id, last_id, lambda: shared.desk.present(client, job_id))
+        yield shared.events.follow(client, job_id, last_id, lambda: shared.jobs.present(client, job_id))
     finally:
         streams[client] -= 1
         if not streams[client]:
             del streams[client]
 
 
-def _told(event: Event) -> ServerSentEvent:
-    """The points of a task are a thousand numbers, which FastAPI's own encoder would look at one by one."""
+def _sent(event: Event) -> ServerSentEvent:
+    """The points of a task are a thousand numbers, which FastAPI's own encoder would visit one by one."""
     return ServerSentEvent(raw_data=orjson.dumps(event.data).decode(), event=event.name, id=event.id)
 
 
@@ -68,7 +68,7 @@ async def job_events(
     ``phonation_state``, ``measures`` by key, ``problems``; beyond 2500 points ``index`` only.
     """
     async for event in stream:
-        yield _told(event)
+        yield _sent(event)
 
 
 @router.get("/events", response_class=EventSourceResponse, responses=_RESPONSES)
@@ -77,4 +77,4 @@ async def client_events(
 ) -> AsyncIterator[ServerSentEvent]:
     """The same for all of this client's jobs, without end: one stream serves a page."""
     async for event in stream:
-        yield _told(event)
+        yield _sent(event)

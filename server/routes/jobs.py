@@ -1,23 +1,19 @@
-"""Handing in jobs, asking about them, dismissing them."""
+"""Submitting jobs, finding them, dismissing them."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated
 
 from fastapi import APIRouter, Header, Query, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import JSONResponse
 
 from vfcore.errors import ParameterError
-from vfcore.runs.sweep.cost import check_cost as check_sweep_cost
-from vfcore.runs.sweep.document import sweep_to_dict
-from vfcore.spec.request import document_of
-from vocalis.server.http.openapi import problems
-from vocalis.server.jobs.cost import check_cost
+from vocalis.server.addresses import job_address
+from vocalis.server.http.openapi import ok, problems
 from vocalis.server.jobs.document import job_document
+from vocalis.server.jobs.kinds.registry import kind_named
 from vocalis.server.jobs.model import Status
-from vocalis.server.schemas import answers
-from vocalis.server.schemas.requests import JobBody, simulation_of
-from vocalis.server.schemas.sweeps import AnyJobBody, SweepBody, sweep_of
-from vocalis.server.services import Client, Services, Shared
+from vocalis.server.schemas.jobs import AnyJobBody, JobAnswer, JobList, KindName
+from vocalis.server.services import Client, Shared
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
 _LOCATION = {"Location": {"description": "address of the job", "schema": {"type": "string"}}}
@@ -30,64 +26,46 @@ Key = Annotated[
 @router.post(
     "",
     status_code=202,
-    responses={202: {"model": answers.JobAnswer, "headers": _LOCATION}} | problems(415, 422, 429, 503, 507),
+    responses=problems(415, 422, 429, 503, 507) | {202: {"model": JobAnswer, "headers": _LOCATION}},
 )
 async def submit(body: AnyJobBody, request: Request, shared: Shared, client: Client, key: Key = None) -> Response:
-    """Hand in a simulation or a sweep. What has a job already gets that job, finished if it is, unless ``fresh``."""
-    work = _sweep if isinstance(body, SweepBody) else _simulation
-    wanted, n_total = await work(body, request, shared)
-    job = await run_in_threadpool(shared.desk.submit, client, wanted, body.fresh, key, n_total)
-    document = job_document(job)
-    return JSONResponse(document, 202, {"Location": document["links"]["self"]})
+    """Submit a job. A request that has a job already gets that job, finished if it is, unless ``fresh``."""
+    kind = kind_named(body.kind)
+    wanted = await run_in_threadpool(kind.read, body)
+    if kind.check_needs_kernels:
+        await shared.kernels.for_postures()
+        await shared.runs.run(lambda: kind.check_cost(wanted, shared.settings), request.is_disconnected)
+    else:
+        await run_in_threadpool(kind.check_cost, wanted, shared.settings)
+    job = await run_in_threadpool(lambda: shared.jobs.submit(client, kind.canonical(wanted), body.fresh, key))
+    return JSONResponse(job_document(job), 202, {"Location": job_address(job.id)})
 
 
-async def _sweep(body: SweepBody, _: Request, shared: Services) -> tuple[dict[str, Any], int]:
-    """A canonical sweep that may be run here, and its number of points."""
-
-    def checked() -> tuple[dict[str, Any], int]:
-        sweep, limits = sweep_of(body), shared.settings
-        check_sweep_cost(
-            sweep, limits.sweep_points, limits.sweep_node_steps, "VOCALIS_SWEEP_POINTS", "VOCALIS_SWEEP_NODE_STEPS"
-        )
-        return sweep_to_dict(sweep), len(sweep)
-
-    return await run_in_threadpool(checked)
-
-
-async def _simulation(body: JobBody, request: Request, shared: Services) -> tuple[dict[str, Any], int]:
-    """A canonical simulation that may be run here."""
-    wanted = simulation_of(body)
-    limit = shared.settings.job_node_steps
-    await shared.kernels.for_postures()
-    await shared.runs.run(lambda: check_cost(wanted, limit, "VOCALIS_JOB_NODE_STEPS"), request.is_disconnected)
-    return document_of(wanted), 1
-
-
-@router.get("", responses={200: {"model": answers.JobList}} | problems(422))
+@router.get("", responses=ok(model=JobList) | problems(422))
 def jobs(
     shared: Shared,
     client: Client,
     status: Status | None = None,
-    kind: Literal["simulation", "sweep"] | None = None,
+    kind: KindName | None = None,
     limit: Annotated[int, Query(ge=1, le=200)] = 50,
     cursor: Annotated[str | None, Query(description="next_cursor of the page before")] = None,
 ) -> JSONResponse:
     """This client's jobs, newest first."""
-    found, more = shared.desk.jobs(client, status, kind, limit, _position(cursor))
+    found, more = shared.jobs.jobs(client, status, kind, limit, _position(cursor))
     listed = [job_document(job, brief=True) for job in found]
     return JSONResponse({"jobs": listed, "next_cursor": str(found[-1].sequence) if more else None})
 
 
-@router.get("/{job_id}", responses={200: {"model": answers.JobAnswer}} | problems(404, 422))
+@router.get("/{job_id}", responses=ok(model=JobAnswer) | problems(404, 422))
 def job(job_id: str, shared: Shared) -> JSONResponse:
     """The state of a job."""
-    return JSONResponse(job_document(shared.desk.job(job_id)))
+    return JSONResponse(job_document(shared.jobs.job(job_id)))
 
 
-@router.delete("/{job_id}", responses={200: {"model": answers.JobAnswer}} | problems(404, 422, 507))
+@router.delete("/{job_id}", responses=ok(model=JobAnswer) | problems(404, 422, 507))
 def dismiss(job_id: str, shared: Shared) -> JSONResponse:
-    """Let go of a job; running work that nobody else waits for stops within a second."""
-    return JSONResponse(job_document(shared.desk.dismiss(job_id)))
+    """Dismiss a job; running work that no other job waits for stops within a second."""
+    return JSONResponse(job_document(shared.jobs.dismiss(job_id)))
 
 
 def _position(cursor: str | None) -> int | None:

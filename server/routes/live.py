@@ -1,13 +1,16 @@
-"""WS /live: a voice to play, see server/live/protocol.py for what is said."""
+"""WS /live: a voice to play; server/live/protocol.py describes the messages."""
 
 import asyncio
+from collections.abc import Awaitable
 from contextlib import suppress
+from typing import Any
 
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 
 from vfcore.errors import VocalisError
-from vocalis.server.http.problems import NotReady, problem_of
+from vocalis.server.exceptions import NotReady
 from vocalis.server.live.handover import hand_over_of
+from vocalis.server.problems import problem_of
 from vocalis.server.services import Services
 
 router = APIRouter()
@@ -23,8 +26,8 @@ async def live(socket: WebSocket) -> None:
         if hand_over is None:
             raise NotReady("Voices can be played where `vocalis serve` runs the server.")
         async with shared.voices.place() as play:
-            await socket.receive()  # that a client wants to connect
-            await _either(play(await hand_over()), socket.receive())  # then: that the server stops
+            await socket.receive()  # the connection request
+            await _either(play(await hand_over()), socket.receive())  # the server stops
     except VocalisError as error:
         await _refuse(socket, problem_of(error))
 
@@ -36,7 +39,7 @@ async def _refuse(socket: WebSocket, problem: dict) -> None:
         await socket.close(TRY_AGAIN_LATER, problem["title"])
 
 
-async def _either(*awaitables) -> None:
+async def _either(*awaitables: Awaitable[Any]) -> None:
     """Until one of them ends."""
     tasks = [asyncio.ensure_future(one) for one in awaitables]
     try:

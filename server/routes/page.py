@@ -1,4 +1,4 @@
-"""The page and what it needs: static files, Plotly's bundle from the installed package, the way in."""
+"""The page and its files: static files, Plotly's bundle from the installed package, the login page."""
 
 import gzip
 import mimetypes
@@ -16,8 +16,8 @@ from starlette.datastructures import Headers
 from starlette.routing import Match, Mount
 from starlette.types import Scope
 
+from vocalis.server.addresses import API
 from vocalis.server.http.guard import LOGIN
-from vocalis.server.jobs.document import API
 from vocalis.server.services import Shared
 
 router = APIRouter(include_in_schema=False)
@@ -32,12 +32,12 @@ def page_directory() -> Path:
 
 @router.api_route("/", methods=["GET", "HEAD"])
 def index(request: Request, shared: Shared) -> Response:
-    """The page; makes the browser a client."""
+    """The page; sets the cookie that makes the browser a client."""
     path = page_directory() / "index.html"
     if not path.is_file():
         raise HTTPException(404, "The files of the page are not installed; the API is there.")
     response = FileResponse(path)
-    shared.access.introduce(request, response)
+    shared.access.identify(request, response)
     return response
 
 
@@ -52,32 +52,32 @@ def login(ending: str = "html") -> Response:
 
 @router.api_route("/vendor/plotly.min.js", methods=["GET", "HEAD"])
 def plotly(request: Request) -> Response:
-    """Plotly's bundle: kept by browsers for a day, or for a year when asked for by its version (``?v=``)."""
+    """Plotly's bundle: kept by browsers for a day, or for a year when requested by its version (``?v=``)."""
     installed = version("plotly")
     age = f"max-age={YEAR_S}, immutable" if request.query_params.get("v") == installed else f"max-age={DAY_S}"
     etag = f'W/"plotly-{installed}"'
     headers = {"ETag": etag, "Cache-Control": f"private, {age}", "Vary": "Accept-Encoding"}
     if etag in request.headers.get("if-none-match", ""):
         return Response(status_code=304, headers=headers)
-    packed = "gzip" in request.headers.get("accept-encoding", "")
-    if packed:
+    compressed = "gzip" in request.headers.get("accept-encoding", "")
+    if compressed:
         headers["Content-Encoding"] = "gzip"
-    return Response(_plotly(packed), headers=headers, media_type="text/javascript")
+    return Response(_plotly(compressed), headers=headers, media_type="text/javascript")
 
 
 @lru_cache(maxsize=2)
-def _plotly(packed: bool) -> bytes:
+def _plotly(compressed: bool) -> bytes:
     content = files("plotly").joinpath("package_data/plotly.min.js").read_bytes()
-    return gzip.compress(content, 6) if packed else content
+    return gzip.compress(content, 6) if compressed else content
 
 
 class Kept(NamedTuple):
-    """A file of the page, ready to be sent: read and packed once for as long as it does not change."""
+    """A file of the page, ready to be sent: read and compressed once, until it changes."""
 
     etag: str
     media_type: str
     plain: bytes
-    packed: bytes
+    compressed: bytes
 
 
 @lru_cache(maxsize=512)
@@ -88,9 +88,10 @@ def _kept(path: str, changed_ns: int, size: int) -> Kept:
 
 
 class PageFiles(StaticFiles):
-    """The folder without what makes it a Python package.
+    """The folder without its Python files.
 
-    A page asks for some hundred small files at once: they are sent from memory, without a thread and packed already.
+    A page requests about a hundred small files at once: they are sent from memory, already compressed, and without
+    a thread.
     """
 
     async def get_response(self, path: str, scope: Scope) -> Response:
@@ -98,27 +99,27 @@ class PageFiles(StaticFiles):
         if status is None or not stat.S_ISREG(status.st_mode) or scope["method"] not in ("GET", "HEAD"):
             return await super().get_response(path, scope)
         kept = _kept(full, status.st_mtime_ns, status.st_size)
-        asked = Headers(scope=scope)
+        requested = Headers(scope=scope)
         headers = {"ETag": kept.etag, "Vary": "Accept-Encoding"}
-        if kept.etag in asked.get("if-none-match", ""):
+        if kept.etag in requested.get("if-none-match", ""):
             return Response(status_code=304, headers=headers)
-        packs = "gzip" in asked.get("accept-encoding", "") and len(kept.packed) < len(kept.plain)
+        packs = "gzip" in requested.get("accept-encoding", "") and len(kept.compressed) < len(kept.plain)
         if packs:
             headers["Content-Encoding"] = "gzip"
-        return Response(kept.packed if packs else kept.plain, headers=headers, media_type=kept.media_type)
+        return Response(kept.compressed if packs else kept.plain, headers=headers, media_type=kept.media_type)
 
     def lookup_path(self, path: str):
         return ("", None) if path.endswith((".py", ".pyc")) else super().lookup_path(path)
 
 
 class OutsideApi(Mount):
-    """Leaves the paths of the API alone, so that a wrong method there is 405 and not a file that is missing."""
+    """Leaves out the paths of the API, so that a wrong method there is 405 and not a missing file."""
 
     def matches(self, scope: Scope) -> tuple[Match, Scope]:
         return (Match.NONE, {}) if scope["path"].startswith(f"{API}/") else super().matches(scope)
 
 
 def install(app: FastAPI) -> None:
-    """Serve the page; to be called when all other routes are there."""
+    """Serve the page; to be called after all other routes are installed."""
     app.include_router(router)
     app.router.routes.append(OutsideApi("/", PageFiles(directory=page_directory()), name="page"))

@@ -1,4 +1,4 @@
-"""POST /posture and /postures: from muscles to posture, coefficients and static shape, while the hand still moves."""
+"""POST /posture and /postures: from muscles to posture, coefficients and static shape, while a slider moves."""
 
 from typing import Any
 
@@ -7,8 +7,8 @@ from fastapi.responses import JSONResponse
 
 from vfcore.io.result_document import posture_document
 from vfcore.runs.many import static_shapes
-from vfcore.runs.one import Prepared, prepare
-from vocalis.server.http.openapi import problems
+from vfcore.runs.one import FoldSetup, prepare
+from vocalis.server.http.openapi import ok, problems
 from vocalis.server.schemas import answers
 from vocalis.server.schemas.neighbours import NeighboursBody, requests_of
 from vocalis.server.schemas.requests import PostureBody, simulation_of
@@ -17,7 +17,7 @@ from vocalis.server.services import Shared
 router = APIRouter(tags=["posture"])
 
 
-@router.post("/posture", responses={200: {"model": answers.PostureAnswer}} | problems(415, 422, 429, 503))
+@router.post("/posture", responses=ok(model=answers.PostureAnswer) | problems(415, 422, 429, 503))
 async def posture(body: PostureBody, request: Request, shared: Shared) -> JSONResponse:
     """Posture, prestrained coefficients and static shape; takes a request without its ``run``."""
     wanted = simulation_of(body)
@@ -29,18 +29,18 @@ async def posture(body: PostureBody, request: Request, shared: Shared) -> JSONRe
     return JSONResponse(await shared.postures.run(solve, request.is_disconnected))
 
 
-@router.post("/postures", responses={200: {"model": answers.NeighboursAnswer}} | problems(415, 422, 429, 503))
+@router.post("/postures", responses=ok(model=answers.NeighboursAnswer) | problems(415, 422, 429, 503))
 async def postures(body: NeighboursBody, request: Request, shared: Shared) -> JSONResponse:
     """The answers of /posture for several values of one number, in their order.
 
-    Null stands where the model has no answer; /posture says why. The page asks for the neighbours of a value before
-    the hand gets there.
+    An answer is null where the model has none; /posture says why. The page fetches the neighbours of a value before
+    the slider reaches them.
     """
     wanted = requests_of(body)
 
     def solve() -> dict[str, Any]:
         shapes = static_shapes(wanted)
-        return {"answers": [posture_document(shape) if isinstance(shape, Prepared) else None for shape in shapes]}
+        return {"answers": [posture_document(shape) if isinstance(shape, FoldSetup) else None for shape in shapes]}
 
     await shared.kernels.for_postures()
     return JSONResponse(await shared.postures.run(solve, request.is_disconnected))

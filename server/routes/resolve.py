@@ -1,18 +1,18 @@
-"""POST /resolve: what a request stands for, value by value. The page shows these values and keeps none of its own."""
+"""POST /resolve: every value of a request. The page shows these values and has no defaults of its own."""
 
 from fastapi import APIRouter
 from fastapi.responses import JSONResponse
 
 from vfcore.spec.address import address
 from vfcore.spec.request import document_of, patch_of, values_of
-from vocalis.server.http.openapi import problems
+from vocalis.server.http.openapi import ok, problems
 from vocalis.server.schemas import answers
 from vocalis.server.schemas.requests import SimulationBody, simulation_of
 
 router = APIRouter(tags=["catalogue"])
 
 
-@router.post("/resolve", responses={200: {"model": answers.ResolvedRequest}} | problems(415, 422))
+@router.post("/resolve", responses=ok(model=answers.ResolvedRequest) | problems(415, 422))
 async def resolve(body: SimulationBody) -> JSONResponse:
     """Every value in force, constants included, the shortest patch that leads to it, and the address of its result.
 

@@ -1,7 +1,7 @@
 """GET /tract/{vowel}: the vocal tract of a vowel, as shape and as filter."""
 
 from functools import lru_cache
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from fastapi import APIRouter, Query
@@ -13,7 +13,7 @@ from vfcore.spec.area_functions import area_function
 from vfcore.spec.paths import DECLARATIONS, LARYNX
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import VARIANTS, VOWELS, Simulation
-from vocalis.server.http.openapi import problems
+from vocalis.server.http.openapi import ok, problems
 from vocalis.server.schemas import answers
 
 router = APIRouter(prefix="/tract", tags=["catalogue"])
@@ -29,20 +29,28 @@ def _constant(name: str) -> Any:
     return Annotated[float | None, about]
 
 
-Density, Speed, Scale = (_constant(name) for name in ("rho_a_kg_m3", "c_a_m_s", "airway_scale"))
+if TYPE_CHECKING:
+    Vowel = str
+    Variant = str
+    Density = float | None
+    Speed = float | None
+    Scale = float | None
+else:
+    Vowel, Variant = Literal[tuple(VOWELS)], Literal[tuple(VARIANTS)]
+    Density, Speed, Scale = (_constant(name) for name in ("rho_a_kg_m3", "c_a_m_s", "airway_scale"))
 
 
-@router.get("/{vowel}", responses={200: {"model": answers.TractAnswer}} | problems(404, 422))
+@router.get("/{vowel}", responses=ok(model=answers.TractAnswer) | problems(404, 422))
 def tract(
-    vowel: Literal[tuple(VOWELS)],
-    variant: Annotated[Literal[tuple(VARIANTS)], Query(description="model variant, whose airways these are")] = "paper",
+    vowel: Vowel,
+    variant: Annotated[Variant, Query(description="model variant, whose airways these are")] = "paper",
     rho_a_kg_m3: Density = None,
     c_a_m_s: Speed = None,
     airway_scale: Scale = None,
 ) -> JSONResponse:
     """Area function, resonances with the glottis closed, and gain from glottal flow to pressure at the lips.
 
-    It is the tract that a run of this vowel, variant and air is heard through.
+    It is the tract of a run with this vowel, variant and air.
     """
     given = {"rho_a_kg_m3": rho_a_kg_m3, "c_a_m_s": c_a_m_s, "airway_scale": airway_scale}
     constants = {name: value for name, value in given.items() if value is not None}

@@ -1,1 +1,1 @@
-"""Requests and answers at the wire."""
+"""The schemas of requests and answers at the wire."""

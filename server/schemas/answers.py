@@ -1,11 +1,18 @@
-"""Answers at the wire: what the OpenAPI document promises. Units stand in the names."""
+"""Answers at the wire, as the OpenAPI document describes them. Names carry the units."""
 
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from vfcore.fold.closure import PATTERNS
 from vfcore.runs.result import ARRAYS
+
+if TYPE_CHECKING:
+    ClosurePattern = str
+    ArrayName = str
+else:
+    ClosurePattern = Literal[PATTERNS]
+    ArrayName = Literal[tuple(ARRAYS)]
 
 
 class FieldError(BaseModel):
@@ -111,7 +118,7 @@ class StaticShape(BaseModel):
     medial_superior_m: list[float]
     medial_inferior_m: list[float]
     closed_fraction: float
-    closure_pattern: Literal[PATTERNS]
+    closure_pattern: ClosurePattern
 
 
 class PostureAnswer(BaseModel):
@@ -138,7 +145,7 @@ class ArrayInfo(BaseModel):
 
 
 class ErrorLevel(BaseModel):
-    """One of the runs compared, the one asked for first."""
+    """One of the runs compared; the requested one comes first."""
 
     nx: int
     ny: int
@@ -166,17 +173,17 @@ class ErrorEstimateAnswer(BaseModel):
 
 
 class Result(BaseModel):
-    """A finished simulation, but for the arrays themselves."""
+    """A finished simulation, without the arrays themselves."""
 
     model_config = ConfigDict(extra="allow")
     phonation_state: Literal["none", "periodic", "subharmonic", "irregular"]
     periodicity: float | None
     measures: dict[str, MeasuredValue]
-    error_estimate: ErrorEstimateAnswer | None = Field(description="null unless the request asked for it")
+    error_estimate: ErrorEstimateAnswer | None = Field(description="null unless the request has `run.error_estimate`")
     posture: Posture
     coefficients: Coefficients
     static_shape: StaticShape
-    arrays: dict[Literal[tuple(ARRAYS)], ArrayInfo]
+    arrays: dict[ArrayName, ArrayInfo]
     provenance: dict[str, Any]
 
 
@@ -198,7 +205,7 @@ class MeasureTable(BaseModel):
     symbol: str
     label: str
     values: list[float | None] = Field(description="in C order of the shape")
-    reasons: list[MissingReason] = Field(description="why points that phonate or not have no value")
+    reasons: list[MissingReason] = Field(description="why points have no value")
 
 
 class PointProblem(BaseModel):
@@ -225,24 +232,3 @@ class SweepResult(BaseModel):
 class SimulateAnswer(Result):
     id: str = Field(description="address of the result, as for a job")
     links: dict[str, str]
-
-
-class JobAnswer(BaseModel):
-    id: str
-    kind: Literal["simulation", "sweep"]
-    status: Literal["accepted", "running", "successful", "failed", "dismissed"]
-    progress: float = Field(ge=0, le=1)
-    n_done: int
-    n_total: int
-    n_failed: int
-    created: str
-    started: str | None
-    finished: str | None
-    request: dict[str, Any]
-    problem: Problem | None
-    links: dict[str, str]
-
-
-class JobList(BaseModel):
-    jobs: list[JobAnswer]
-    next_cursor: str | None = Field(description="cursor of the next page; null on the last one")

@@ -1,4 +1,4 @@
-"""Answers of gestures at the wire. Units stand in the names."""
+"""Answers of gestures at the wire. Names carry the units."""
 
 from typing import Any, Literal
 

@@ -27,7 +27,7 @@ class NeighboursBody(BaseModel):
 
 
 def requests_of(body: NeighboursBody) -> list[Simulation]:
-    """One request for each value; ParameterError for what the schema could not see."""
+    """One request for each value; ParameterError for what the schema cannot express."""
     base = simulation_of(body.base)
     paths = [body.parameter] if isinstance(body.parameter, str) else body.parameter
     for path in paths:

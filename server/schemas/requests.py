@@ -1,10 +1,10 @@
 """The request body at the wire: pydantic models made from the rows of ``vfcore.spec.schema``.
 
-Unit, range, label and help are declared once, in the core; here they become JSON Schema. The last word has
-vfcore.spec.request, which sees what a schema cannot say (a step too long for a grid, say).
+Unit, range, label and help are declared once, in the core; here they become JSON Schema. vfcore.spec.request
+checks the rest, which a schema cannot express (for example a step that is too long for the grid).
 """
 
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema, create_model, model_validator
 from pydantic_core import PydanticCustomError
@@ -23,7 +23,7 @@ ROWS: dict[str, dict[str, Any]] = {row["key"]: row for row in parameter_schema()
 
 
 def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
-    """The (type, default) pair of ``create_model`` for one parameter; ``moving``: breakpoints may stand for it."""
+    """The (type, default) pair of ``create_model`` for one parameter; ``moving``: it may be a list of breakpoints."""
     by_larynx = row["key"].startswith(f"{LARYNX}.")
 
     def extra(schema: dict[str, Any]) -> None:
@@ -34,15 +34,17 @@ def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
 
     text = " — ".join(text for text in (row["help"], row["source"]) if text)
     about: list[Any] = [Field(title=row["label"], description=text, json_schema_extra=extra)]
+    kind: Any
     if row["type"] == "choice":
         kind = Literal[tuple(row["options"])]
     elif row["type"] == "boolean":
         kind = bool
+    elif row["type"] == "integer":
+        kind = int
+        about += [Field(ge=row["min"], le=row["max"]), BeforeValidator(_whole)]
     else:
-        kind = int if row["type"] == "integer" else float
-        about.append(Field(ge=row["min"], le=row["max"], **({"allow_inf_nan": False} if kind is float else {})))
-        if kind is int:
-            about.append(BeforeValidator(_whole))
+        kind = float
+        about.append(Field(ge=row["min"], le=row["max"], allow_inf_nan=False))
     if moving and (row["key"] in MOVABLE or row["key"] == "vowel"):
         about = [Field(title=row["label"], description=f"{text} — or [[time in s, value], …]", json_schema_extra=extra)]
         kind = Annotated[Any, WithJsonSchema({"anyOf": [_one(row), _breakpoints(row)]})]  # the core validates it
@@ -70,9 +72,10 @@ def _whole(value: Any) -> Any:
 
 def _parts(suffix: str = "Body", moving: bool = False) -> tuple[dict[str, Any], dict[str, type[BaseModel]]]:
     """Fields at the top of a request, and one model per object in it."""
-    top, objects = {}, {}
+    top: dict[str, Any] = {}
+    objects: dict[str, type[BaseModel]] = {}
     for part, names in NAMES_IN.items():
-        fields = {name: _field(ROWS[f"{part}.{name}" if part else name], moving) for name in names}
+        fields: dict[str, Any] = {name: _field(ROWS[f"{part}.{name}" if part else name], moving) for name in names}
         if part:
             objects[part] = create_model(f"{part.capitalize()}{suffix}", __config__=STRICT, **fields)
         else:
@@ -82,14 +85,15 @@ def _parts(suffix: str = "Body", moving: bool = False) -> tuple[dict[str, Any], 
 
 class _Kind(BaseModel):
     model_config = STRICT
-    kind: Literal[OFFERED_KINDS] = "simulation"
+    kind: Literal["simulation"] = "simulation"
 
     @model_validator(mode="before")
     @classmethod
     def _offered(cls, document: Any) -> Any:
-        """A kind that belongs elsewhere gets a sentence of its own, and no list of unknown keys."""
-        if isinstance(document, dict) and document.get("kind") == "sweep":
-            raise PydanticCustomError("kind_not_offered", "a sweep is a job; here stands one simulation")
+        """A kind that is not possible here gets a message of its own, and no list of unknown keys."""
+        kind = document.get("kind", "simulation") if isinstance(document, dict) else "simulation"
+        if isinstance(kind, str) and kind not in OFFERED_KINDS:
+            raise PydanticCustomError("kind_not_offered", "must be one simulation here; POST /jobs takes other kinds")
         return document
 
 
@@ -104,41 +108,55 @@ def _part_fields(objects: dict[str, type[BaseModel]]) -> dict[str, tuple[Any, An
 
 
 _OBJECT_FIELDS = _part_fields(_OBJECTS)
-PostureBody = create_model(
-    "PostureBody",
-    __base__=_Kind,
-    __doc__="A request without its run: what the posture and the shape at rest depend on.",
-    **(_TOP | {name: field for name, field in _OBJECT_FIELDS.items() if name != "run"}),
-)
-SimulationBody = create_model("SimulationBody", __base__=_Kind, __doc__=Simulation.__doc__, **(_TOP | _OBJECT_FIELDS))
-JobBody = create_model(
-    "JobBody",
-    __base__=SimulationBody,
-    __doc__="A simulation to be run as a job.",
-    fresh=(Annotated[bool, Field(description="run again even when the same request has a finished job")], False),
-)
-_MOVING_TOP, _MOVING_OBJECTS = _parts("GestureBody", moving=True)
-GestureBody = create_model(
-    "GestureBody",
-    __config__=STRICT,
-    __doc__="A simulation in which numbers may be breakpoints over time, [[time in s, value], …].",
-    kind=(Literal["simulation", "gesture"], "gesture"),
-    **(_MOVING_TOP | _part_fields(_MOVING_OBJECTS)),
-)
+if TYPE_CHECKING:  # a type checker cannot follow models that are made from rows
+
+    class PostureBody(_Kind): ...
+
+    class SimulationBody(_Kind): ...
+
+    class JobBody(SimulationBody):
+        fresh: bool
+
+    class GestureBody(BaseModel): ...
+
+else:
+    PostureBody = create_model(
+        "PostureBody",
+        __base__=_Kind,
+        __doc__="A request without its run: what the posture and the shape at rest depend on.",
+        **(_TOP | {name: field for name, field in _OBJECT_FIELDS.items() if name != "run"}),
+    )
+    SimulationBody = create_model(
+        "SimulationBody", __base__=_Kind, __doc__=Simulation.__doc__, **(_TOP | _OBJECT_FIELDS)
+    )
+    JobBody = create_model(
+        "JobBody",
+        __base__=SimulationBody,
+        __doc__="A simulation to be run as a job.",
+        fresh=(Annotated[bool, Field(description="run again even when the same request has a finished job")], False),
+    )
+    _MOVING_TOP, _MOVING_OBJECTS = _parts("GestureBody", moving=True)
+    GestureBody = create_model(
+        "GestureBody",
+        __config__=STRICT,
+        __doc__="A simulation in which numbers may be breakpoints over time, [[time in s, value], …].",
+        kind=(Literal["simulation", "gesture"], "gesture"),
+        **(_MOVING_TOP | _part_fields(_MOVING_OBJECTS)),
+    )
 
 
 def gesture_of(body: BaseModel) -> Gesture:
-    """The validated gesture; ParameterError for what the schema could not see."""
+    """The validated gesture; ParameterError for what the schema cannot express."""
     return gesture_from_dict(body.model_dump(exclude_unset=True, exclude={"kind"}))
 
 
 def simulation_of(body: BaseModel) -> Simulation:
-    """The validated request; ParameterError for what the schema could not see."""
+    """The validated request; ParameterError for what the schema cannot express."""
     return resolve(body.model_dump(exclude_unset=True, exclude={"fresh"}))
 
 
 def allowed_at(path: str) -> str | None:
-    """What a field of a body takes, in words; None when there is no such field."""
+    """The values that a field of a body takes, in words; None when there is no such field."""
     path = path.removeprefix("base.")
     if path in _OBJECTS:
         return f"an object with {', '.join(sorted(_OBJECTS[path].model_fields))}"
@@ -152,8 +170,8 @@ def allowed_at(path: str) -> str | None:
     return f"{row['min']:g} to {row['max']:g}{unit}" + (", or null" if row["nullable"] else "")
 
 
-def known_beside(path: str) -> str:
-    """The names that are known where an unknown one stood."""
+def known_names(path: str) -> str:
+    """The known names in the object that has an unknown one."""
     parent, _, _ = path.removeprefix("base.").rpartition(".")
     if parent == "constants":
         return "the constants listed by GET /api/v1/parameters"

@@ -1,18 +1,22 @@
-"""A sweep at the wire: its shape. What its numbers may be is judged by vfcore.runs.sweep, which names the place of
-each.
-"""
+"""The schema of a sweep at the wire. vfcore.runs.sweep checks its values, and names the place of each bad one."""
 
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BaseModel, Discriminator, Field, Tag
+from pydantic import BaseModel, Field
 
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.many import PRECISIONS, SINGLE_PRECISION
 from vfcore.runs.sweep.document import MOST_AXES, sweep_from_dict
 from vfcore.runs.sweep.plan import Sweep
 from vfcore.spec.paths import NUMBERS
-from vocalis.server.schemas.requests import STRICT, JobBody, SimulationBody
+from vocalis.server.schemas.requests import STRICT, SimulationBody
 
+if TYPE_CHECKING:
+    MeasureKey = str
+    Precision = str
+else:
+    MeasureKey = Literal[tuple(CATALOGUE.keys())]
+    Precision = Literal[PRECISIONS]
 Path = Annotated[str, Field(json_schema_extra={"enum": list(NUMBERS)})]
 
 
@@ -34,10 +38,10 @@ class SweepBody(BaseModel):
     points: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = Field(
         None, description="numbers by dotted path, or nested as in a simulation"
     )
-    measures: Annotated[list[Literal[CATALOGUE.keys()]], Field(min_length=1)] | None = Field(
+    measures: Annotated[list[MeasureKey], Field(min_length=1)] | None = Field(
         None, description="keys of GET /measures to compute; all when left out"
     )
-    precision: Literal[PRECISIONS] = Field(
+    precision: Precision = Field(
         "float64",
         description=f"of march and transforms; float32 computes a map in three fifths of the time, {SINGLE_PRECISION}",
     )
@@ -45,17 +49,6 @@ class SweepBody(BaseModel):
     fresh: bool = Field(False, description="compute again what is stored already")
 
 
-TAGS = ("simulation", "sweep")
-
-
-def _tag(body: Any) -> str:
-    kind = body.get("kind") if isinstance(body, dict) else getattr(body, "kind", None)
-    return "sweep" if kind == "sweep" else "simulation"
-
-
-AnyJobBody = Annotated[Annotated[JobBody, Tag("simulation")] | Annotated[SweepBody, Tag("sweep")], Discriminator(_tag)]
-
-
 def sweep_of(body: SweepBody) -> Sweep:
-    """The validated sweep; ParameterError for what the schema could not see."""
+    """The validated sweep; ParameterError for what the schema cannot express."""
     return sweep_from_dict(body.model_dump(exclude_unset=True, exclude={"fresh"}))

@@ -1,1 +1,1 @@
-"""What is compiled, or loaded, before somebody asks for it."""
+"""Compiles or loads kernels before the first request needs them."""

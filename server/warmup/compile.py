@@ -1,7 +1,7 @@
-"""Every kernel of the usual grid, compiled into the cache once: by ``--warm``, and behind a server that has started.
+"""Compiles every kernel of the usual grid into the cache, once: for ``--warm``, and in the background of a server.
 
-A server compiles what the page needs first by itself (state.py). What only maps, played voices and coupled runs need
-takes as long again; a process of low priority does it, so that neither answers wait for it nor the first map of a user.
+A server first compiles what the page needs (state.py). The kernels of maps, live voices and coupled runs take as long
+again. A process of low priority compiles them, so that neither requests nor the first map wait for compilation.
 """
 
 import os
@@ -14,26 +14,26 @@ from vfcore.kernels.jit import kernel_directory
 from vfcore.runs.gesture.voice import Voice
 from vfcore.runs.one import simulate
 from vfcore.spec.simulation import Simulation
-from vocalis.server.warmup.live import rehearse
-from vocalis.server.warmup.requests import COUPLED, IRREGULAR, PERIODIC, rehearse_points
+from vocalis.server.warmup.live import warm_up_voice
+from vocalis.server.warmup.requests import COUPLED, IRREGULAR, PERIODIC, warm_up_points
 
-_COMPLETE = "complete"  # the file that says so, beside the kernels
+_COMPLETE = "complete"  # a file in the folder of the kernels: all are compiled
 _NICENESS = 10
 
 
 def compile_everything() -> None:
-    """Compile, or load: runs alone and coupled, played voices, many side by side in both precisions."""
+    """Compile or load: single and coupled runs, live voices, gestures, sweeps in both precisions."""
     for request in (PERIODIC, IRREGULAR, COUPLED):
         simulate(request)
-    rehearse()
+    warm_up_voice()
     Voice(Simulation()).advance(Simulation(vowel="i"))  # a gesture: with the sound at 0.3 m
-    rehearse_points()
-    with suppress(OSError):  # a folder that others own
+    warm_up_points()
+    with suppress(OSError):  # a folder without write permission
         (kernel_directory() / _COMPLETE).touch()
 
 
-def compile_behind() -> BaseProcess | None:
-    """The process that compiles everything; None where all is there."""
+def compile_in_background() -> BaseProcess | None:
+    """A process that compiles everything; None where all is compiled."""
     if (kernel_directory() / _COMPLETE).exists():
         return None
     process = get_context("spawn").Process(target=_compile_niced, name="vocalis-compile", daemon=True)
@@ -42,6 +42,6 @@ def compile_behind() -> BaseProcess | None:
 
 
 def _compile_niced() -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's affair; it ends us
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server handles Ctrl-C, and ends this process
     os.nice(_NICENESS)
     compile_everything()

@@ -1,4 +1,4 @@
-"""Compiling the kernels in the background, so that the page is there at once."""
+"""Compiles the kernels in the background, so that the page is available at once."""
 
 import asyncio
 import logging
@@ -9,8 +9,8 @@ from multiprocessing.process import BaseProcess
 
 from vfcore.runs.one import prepare, simulate
 from vfcore.version import MODEL_VERSION
-from vocalis.server.http.problems import NotReady
-from vocalis.server.warmup.compile import compile_behind
+from vocalis.server.exceptions import NotReady
+from vocalis.server.warmup.compile import compile_in_background
 from vocalis.server.warmup.requests import COUPLED, IRREGULAR, PERIODIC
 
 log = logging.getLogger("vocalis")
@@ -19,12 +19,12 @@ LOOK_EVERY_S = 0.02
 
 
 class Kernels:
-    """Which kernels are compiled, and what is going on, in words."""
+    """Which kernels are compiled, with a message for people."""
 
     def __init__(self) -> None:
         self._postures, self._runs = threading.Event(), threading.Event()
         self._failed = self._closed = False
-        self._behind: BaseProcess | None = None
+        self._background: BaseProcess | None = None
         self.message = "the kernels are not compiled yet"
 
     @property
@@ -33,14 +33,14 @@ class Kernels:
         return self._runs.is_set()
 
     def start(self, then: Callable[[], None] = lambda: None) -> None:
-        """Compile in a thread of its own, and what can wait in a process; call ``then`` there when all is compiled."""
+        """Compile in a thread, and the less urgent kernels in a process; the thread then calls ``then``."""
         threading.Thread(target=self._compile_all, args=(then,), name="compile", daemon=True).start()
 
     def close(self) -> None:
-        """End the process that compiles what can wait."""
+        """End the process that compiles the less urgent kernels."""
         self._closed = True
-        if self._behind is not None:
-            self._behind.kill()
+        if self._background is not None:
+            self._background.kill()
 
     def compile(self) -> None:
         """Compile, or load from the cache, what a default request needs."""
@@ -50,8 +50,8 @@ class Kernels:
             prepare(PERIODIC)
             self._postures.set()
             self.message = "compiling the step of the fold (2 of 2)"
-            for voice in (PERIODIC, IRREGULAR):
-                simulate(voice)
+            for request in (PERIODIC, IRREGULAR):
+                simulate(request)
         except Exception as error:
             self._failed = True
             self.message = f"the kernels could not be compiled: {error}"
@@ -64,12 +64,12 @@ class Kernels:
         self.compile()
         if self._failed or self._closed:
             return
-        self._behind = compile_behind()
-        if self._behind is not None:
-            self._behind.join()
+        self._background = compile_in_background()
+        if self._background is not None:
+            self._background.join()
         if not self._closed:
             then()
-            simulate(COUPLED)  # loads it: nobody waits for that, but a first run with two-way coupling would
+            simulate(COUPLED)  # loads its kernels, so that the first coupled run does not wait for that
 
     async def for_postures(self) -> None:
         """Return when postures can be solved; NotReady when that takes too long or has failed."""

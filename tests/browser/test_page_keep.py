@@ -58,7 +58,7 @@ def done(command: list[str]) -> str:
 
 
 def test_python_and_curl_run_as_printed_and_find_the_same_voice(visit):
-    here = visit("?activation.ct=0.7&vowel=i")
+    here = visit("?activation.ct=0.7&vowel=i&model.variant=human&constants.C_coup_pa_s_m=10")
     shown = here.api(f"jobs/{here.result_id()}/result")
     dialog = keep(here)
     dialog.get_by_role("button", name="As Python or curl").click()

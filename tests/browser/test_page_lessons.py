@@ -15,8 +15,7 @@ STATES = {"periodic": "Periodic phonation", "none": "No sustained vibration"}
 TAB = {"measures": "numbers", "waves": "waves", "voice": "waves", "folds": "waves"}
 #: Walks a lesson of `steps` steps by its own button: what each shows; if `answered`, once its voice has answered.
 WALK = """async ([key, steps, answered]) => {
-  const { changedValues } = await import("/core/parameters.js");
-  const { schema, values } = await import("/state/request.js");
+  const { patch } = await import("/state/request.js");
   const all = (selector) => [...document.querySelectorAll(selector)];
   const until = async (holds) => { while (!holds()) await new Promise(requestAnimationFrame); };
   const seen = [];
@@ -26,7 +25,7 @@ WALK = """async ([key, steps, answered]) => {
     await until(() => all("#panel-content > *, #tab-content > *").length);
     const actions = document.querySelector(".lesson-actions");
     seen.push({
-      set: changedValues(schema.value, values.value),
+      set: patch.value,
       state: document.querySelector(".phonation-state").textContent,
       cut: all(".lesson-words, .lesson-card").some((e) => e.scrollHeight > e.clientHeight + 1),
       inView: actions.getBoundingClientRect().bottom <= innerHeight,

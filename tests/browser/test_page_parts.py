@@ -34,31 +34,34 @@ def test_numbers_are_written_as_people_write_them(modules):
     assert modules(run, [-0.0001, 2]) == "0.00", "no minus before nothing"
 
 
-def test_a_request_holds_only_what_differs(modules):
-    run = """async ([document, values]) => {
+def test_a_request_is_the_patch(modules):
+    run = """async ([document, patch, defaults]) => {
       const params = await import("/core/parameters.js");
+      const request = await import("/state/request.js");
       const schema = params.readSchema(document);
-      const all = { ...params.defaultValues(schema), ...values };
-      return {
-        run: params.simulationRequest(schema, all, { duration_s: 0.5 }),
-        posture: params.postureRequest(schema, all),
-        preset: params.presetOf(schema, all)?.key ?? null,
-        breathy: params.presetValues(schema, schema.presets[1], all),
+      request.begin(schema, [], patch, { model: {}, values: defaults });
+      const before = {
+        run: params.simulationRequest(patch, { duration_s: 0.5 }),
+        posture: params.postureRequest(patch),
+        preset: request.preset.value?.key ?? null,
       };
+      request.choosePreset("breathy");
+      return { ...before, breathy: request.patch.value, chosen: request.preset.value.key };
     }"""
 
-    def row(key, default, group="muscles", step=0.01):
+    def row(key, group="muscles", step=0.01, part=None):
         return {
-            "key": key, "label": key, "symbol": "", "default": default, "step": step, "group": group, "nullable": False,
+            "key": key, "label": key, "symbol": "", "default": 0, "step": step, "group": group, "nullable": False,
+            "optional_part": part,
         }  # fmt: skip
 
     document = {
         "parameters": [
-            row("activation.ta", 0.4),
-            row("activation.pca", 0),
-            row("vowel", "a", "tract", None),
-            row("posture.strain", 0.1, "posture"),
-            row("run.nx", 20, "run", 1),
+            row("activation.ta"),
+            row("activation.pca"),
+            row("vowel", "tract", None),
+            row("posture.strain", "posture", part="posture"),
+            row("run.nx", "run", 1),
         ],
         "presets": [
             {"key": "modal", "request": {"activation": {"ta": 0.4, "pca": 0}}},
@@ -67,15 +70,22 @@ def test_a_request_holds_only_what_differs(modules):
         "vowels": [],
         "variants": [],
     }
-    answer = modules(run, [document, {"activation.ta": 0.7, "run.nx": 30, "vowel": "i"}])
+    defaults = {"activation.ta": 0.4, "activation.pca": 0.0, "vowel": "a", "posture": None, "run.nx": 20}
+    answer = modules(run, [document, {"activation.ta": 0.7, "run.nx": 30, "vowel": "i"}, defaults])
     assert answer["run"] == {
         "kind": "simulation", "activation": {"ta": 0.7}, "vowel": "i", "run": {"nx": 30, "duration_s": 0.5},
     }  # fmt: skip
     assert "run" not in answer["posture"] and answer["posture"]["activation"] == {"ta": 0.7}
     assert answer["preset"] is None
-    assert answer["breathy"]["activation.pca"] == 0.5 and answer["breathy"]["activation.ta"] == 0.4
-    assert answer["breathy"]["vowel"] == "i", "a preset leaves the vowel and the run alone"
-    assert modules(run, [document, {"vowel": "i"}])["preset"] == "modal"
+    kept = {"run.nx": 30, "vowel": "i"}
+    assert answer["breathy"] == kept | {"activation.pca": 0.5}, "a preset leaves the vowel and the run alone"
+    assert answer["chosen"] == "breathy"
+    assert modules(run, [document, {"vowel": "i"}, defaults])["preset"] == "modal"
+    assert modules(run, [document, {}, defaults | {"activation.pca": 0.5}])["preset"] == "breathy", (
+        "by what is in force"
+    )
+    given = {"posture.strain": 0.1}
+    assert modules(run, [document, given, defaults])["preset"] is None, "a posture given directly is no preset"
 
 
 def test_one_request_is_in_flight_and_the_newest_wins(modules):
@@ -183,7 +193,7 @@ def test_advice_fits_the_cause(modules):
 
 def test_the_address_gives_back_what_was_put_in(modules):
     run = """async () => {
-      const { readSchema, defaultValues } = await import("/core/parameters.js");
+      const { readSchema } = await import("/core/parameters.js");
       const { linkOf, readQuery, writeQuery } = await import("/features/page/url.js");
       const common = { label: "", symbol: "", step: 0.01, group: "" };
       const schema = readSchema({
@@ -191,14 +201,18 @@ def test_the_address_gives_back_what_was_put_in(modules):
           { ...common, key: "activation.ta", default: 0.4 },
           { ...common, key: "vowel", default: "a", options: ["a", "i"] },
           { ...common, key: "x", default: 1 },
+          { ...common, key: "posture.strain", optional_part: "posture" },
+          { ...common, key: "run.error_estimate", type: "boolean" },
         ],
       });
-      const query = writeQuery(schema, { ...defaultValues(schema), "activation.ta": 0.55, vowel: "i" });
-      const link = linkOf(schema, defaultValues(schema), "maps");
-      return [query, readQuery(schema, query), readQuery(schema, "tongue=1").unknown, link];
+      const query = writeQuery(schema, { vowel: "i", "run.error_estimate": true, "activation.ta": 0.55, x: 1 });
+      const link = linkOf(schema, {}, "maps");
+      const odd = readQuery(schema, "tongue=1&posture.strain=&x=&activation.ta=much");
+      return [query, readQuery(schema, query), odd, link];
     }"""
-    query, answer, unknown, link = modules(run)
-    assert query == "activation.ta=0.55&vowel=i"
-    assert answer == {"changes": {"activation.ta": 0.55, "vowel": "i"}, "unknown": []}
-    assert unknown == ["tongue"]
+    query, answer, odd, link = modules(run)
+    assert query == "activation.ta=0.55&vowel=i&x=1&run.error_estimate=true"
+    assert answer["patch"] == {"activation.ta": 0.55, "vowel": "i", "x": 1, "run.error_estimate": True}
+    assert answer["unknown"] == [] and odd["unknown"] == ["tongue"]
+    assert odd["patch"] == {"x": None, "activation.ta": "much"}, "the server refuses these by name"
     assert link.endswith("?paper=maps"), "a link copied in a section opens that section"

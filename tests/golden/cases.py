@@ -1,4 +1,4 @@
-"""What the golden file holds: a handful of runs over the variants, and the numbers kept of each."""
+"""The cases of the golden file: runs over the variants of the model, and the numbers stored for each."""
 
 import json
 import math
@@ -10,7 +10,7 @@ import vfcore
 from vfcore.spec.request import resolve
 
 STORED = Path(__file__).with_name("results.json")
-#: Results of one machine and another differ by rounding only; a periodic voice does not amplify it.
+#: Results on different machines differ by rounding only, and a periodic voice does not amplify it.
 RELATIVE_TOLERANCE = 1e-6
 
 
@@ -18,7 +18,7 @@ def _muscles(lca, ia, pca, ct, ta):
     return {"activation": {"lca": lca, "ia": ia, "pca": pca, "ct": ct, "ta": ta}}
 
 
-#: Short where the voice is irregular: rounding grows there.
+#: Irregular voices are short, because rounding errors grow in them.
 CASES = {
     "modal": {},
     "modal, paper's step": {"run": {"duration_s": 0.3, "time_step_s": 0.0025 / 350 / 4}},
@@ -64,7 +64,7 @@ def results_of(document: dict) -> dict:
 
 
 def differences(stored: dict, now: dict) -> list[str]:
-    """One line per value that is not what it was, empty if all are."""
+    """One line per value that has changed; empty if none has."""
     lines = [f"{key} was {stored[key]}, is {now[key]}" for key in ("state", "closure") if stored[key] != now[key]]
     for key in sorted(stored["numbers"].keys() | now["numbers"].keys()):
         was, value = stored["numbers"].get(key), now["numbers"].get(key)

@@ -1,7 +1,7 @@
-"""Write the golden file anew: ``python -m tests.golden.regenerate --reason "why the results changed"``.
+"""Rewrite the golden file: ``python -m tests.golden.regenerate --reason "why the results changed"``.
 
-Refused without a reason, and while results differ from the file but MODEL_VERSION is still the one it was made with:
-raise MODEL_VERSION in vfcore/version.py first, so that stored results of users are not mixed up.
+Refused without a reason, and if results differ from the file while MODEL_VERSION is the same as in the file: raise
+MODEL_VERSION in vfcore/version.py first, so that stored results of different models are not mixed.
 """
 
 import argparse
@@ -14,7 +14,7 @@ from vfcore.version import MODEL_VERSION
 
 
 def regenerate(reason: str, path: Path = STORED, version: str = MODEL_VERSION) -> list[str]:
-    """Write ``path``; returns what changed, one line each. Raises SystemExit with a sentence when refused."""
+    """Write ``path``; returns one line per change. Raises SystemExit with a message when refused."""
     if not reason.strip():
         raise SystemExit('say why the results changed: --reason "..."')
     now = {name: {"request": document, "results": results_of(document)} for name, document in CASES.items()}
@@ -42,7 +42,7 @@ def _changes(stored: dict, now: dict) -> list[str]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--reason", default="", help="why the results changed; kept in the file")
+    parser.add_argument("--reason", default="", help="why the results changed; stored in the file")
     changed = regenerate(parser.parse_args().reason)
     sys.stdout.write("\n".join(changed or ["nothing changed"]) + "\n")
 

@@ -1,4 +1,4 @@
-"""Results stay what they were, to a part in a million, unless MODEL_VERSION says that they changed."""
+"""Results do not change by more than a part in a million unless MODEL_VERSION changes."""
 
 import json
 
@@ -12,19 +12,19 @@ GOLDEN = read_stored()
 REMEDY = 'raise MODEL_VERSION in vfcore/version.py, then: python -m tests.golden.regenerate --reason "..."'
 
 
-def test_the_file_belongs_to_this_model_version_and_holds_these_cases():
+def test_the_file_has_this_model_version_and_these_cases():
     assert GOLDEN["model_version"] == MODEL_VERSION, REMEDY
     assert GOLDEN["reason"]
     assert {name: case["request"] for name, case in GOLDEN["cases"].items()} == CASES, REMEDY
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_results_are_what_they_were(name):
+def test_results_have_not_changed(name):
     lines = differences(GOLDEN["cases"][name]["results"], results_of(CASES[name]))
     assert not lines, "\n".join([*lines, REMEDY])
 
 
-def test_the_cases_cover_every_kind_of_answer():
+def test_the_cases_cover_every_kind_of_result():
     states = {case["results"]["state"] for case in GOLDEN["cases"].values()}
     assert {"periodic", "none"} <= states
     patterns = {case["results"]["closure"] for case in GOLDEN["cases"].values()}

@@ -1,4 +1,4 @@
-"""Two-way coupling: the flow between two airways against its slow twin, its limits, its energy."""
+"""Two-way coupling: the flow between two airways against its twin, in its limits, and its energy."""
 
 import numpy as np
 import pytest
@@ -19,21 +19,21 @@ ONE = airways("a", RHO, C, SECTION_TRAVEL_S)
 
 
 def law(A, B, width, drop):
-    """Conductance and viscous share that the kernel takes for these slices at a drop."""
+    """Conductance and viscous share of these slices at a pressure drop, as the kernel takes them."""
     root = np.sqrt(B**2 + 4 * A * drop)
     flow, slope = np.sum(width * 2 * drop / (B + root)), np.sum(width / root)
     return flow / np.sqrt(drop), kernel.viscous_share(flow, slope, drop)
 
 
 def slices(seed, count=20):
-    """A, B and widths of a glottis of gaps between 0.05 and 1 mm, 5 mm thick."""
+    """A, B and widths of the slices of a glottis with gaps between 0.05 and 1 mm."""
     gap = np.random.default_rng(seed).uniform(5e-5, 1e-3, count)
     return 0.5 * RHO / gap**2, 12 * 1.8e-5 * 2e-3 / gap**3, np.full(count, 8e-4)
 
 
 @pytest.mark.kernel
 @given(seed=st.integers(0, 10**6), D=st.floats(10, 5000), guess=st.floats(0.7, 1.4))
-def test_the_flow_is_the_root_of_all_slices_together(seed, D, guess):
+def test_the_flow_is_the_root_for_the_sum_of_all_slices(seed, D, guess):
     A, B, width = slices(seed)
     Z, flow_of = 9e6, law_of(A, B, width)
     twin = AirwaysTwin(ONE)
@@ -48,7 +48,7 @@ def test_the_flow_is_the_root_of_all_slices_together(seed, D, guess):
 
 
 @pytest.mark.kernel
-def test_equal_slices_need_no_guess():
+def test_for_equal_slices_the_flow_does_not_depend_on_the_previous_drop():
     A, B, width = (np.full(20, value) for value in (0.57 / 3e-4**2, 4e-7 / 3e-4**3, 8e-4))
     far = law(A, B, width, 50.0)
     near = law(A, B, width, 900.0)
@@ -89,7 +89,7 @@ def test_a_pulsing_glottis_equals_the_twin(vowel):
     assert np.abs(inlet - inlet_twin).max() < 1e-6 and np.abs(outlet - outlet_twin).max() < 1e-6
 
 
-def test_a_steady_flow_meets_the_glottis_and_the_lungs_only():
+def test_the_resistance_to_a_steady_flow_is_that_of_glottis_and_lungs():
     air = MALE.new_buffer(800.0)
     conductance, viscous = 1.2e-5, 0.1  # about 0.34 L/s under 800 Pa
     for _ in range(20000):
@@ -104,27 +104,27 @@ def test_a_steady_flow_meets_the_glottis_and_the_lungs_only():
 
 @pytest.mark.kernel
 @pytest.mark.parametrize("steps", [1, 4])
-def test_without_lung_pressure_the_waves_only_lose(steps):
+def test_without_lung_pressure_the_wave_energy_only_falls(steps):
     ways = airways("a", RHO, C, steps * SECTION_TRAVEL_S)
     air = ways.new_buffer(0.0)
-    air[kernel.EXCESS_S] = air[kernel.EXCESS_V] = 0.0  # exactly passive step by step; the correction: next test
+    air[kernel.EXCESS_S] = air[kernel.EXCESS_V] = 0.0  # every step is passive; for the correction see the next test
     rng = np.random.default_rng(1)
     energies, views = [], []
     for tract, rows in zip((ways.subglottal, ways.supraglottal), ways.rows(air), strict=True):
         rows[:2] = 100 * rng.standard_normal((2, rows.shape[1]))
-        # a wave arrived at the end of its section was larger before the crossing's loss, and so is its energy
+        # before the loss of the crossing a wave was larger by 1/α, so energy is counted before the loss
         views.append((rows, tract.transmission, np.array(tract.areas_m2)))
     for n in range(1000):
         energies.append(sum(float(np.sum(area * (rows[:2] / kept) ** 2)) for rows, kept, area in views))
         opening = 2e-5 * max(np.sin(n / 30), 0.0)
         kernel.advance_airways(air, 0.0, opening, 0.3 if opening > 0 else 1.0)
     energies = np.array(energies)
-    memory = 1e-4 * energies[0]  # of the lips' inertance, which is not in the sum
+    memory = 1e-4 * energies[0]  # energy of the inertance at the lips is not in the sum
     assert (np.diff(energies) < memory).all() and energies[-1] < 2e-3 * energies[0]
 
 
 @pytest.mark.parametrize("vowel", VOWELS)
-def test_setting_steady_flow_apart_leaves_every_airway_passive(vowel):
+def test_the_correction_for_steady_flow_leaves_every_airway_passive(vowel):
     """Its impedance minus the correction keeps a positive real part at every frequency."""
     ways = airways(vowel, RHO, C, DEFAULT_STEP_S)
     freqs = np.concatenate([np.geomspace(1e-2, 50, 300), np.linspace(50, 20000, 8000)])
@@ -133,8 +133,8 @@ def test_setting_steady_flow_apart_leaves_every_airway_passive(vowel):
         assert excess > 0 and (left.real > 0).all()
 
 
-def test_the_trachea_resonates_where_those_of_men_do():
-    """Sg2 and Sg3 within 5 % of 1350 and 2200 Hz (Lulich et al. 2012); Sg1 lies low without yielding walls."""
+def test_the_resonances_of_the_trachea_are_those_of_men():
+    """Sg2 and Sg3 within 5 % of 1350 and 2200 Hz (Lulich et al. 2012); Sg1 is low without yielding walls."""
     frequency, bandwidth = closed_glottis_formants(subglottal_tract(), 3)
     assert frequency[1:] == pytest.approx([1350, 2200], rel=0.05) and 400 < frequency[0] < 550
     assert (bandwidth > 100).all() and (bandwidth < 250).all()

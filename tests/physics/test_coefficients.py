@@ -1,4 +1,4 @@
-"""Prestrained coefficients: values worked by hand, limits, the independent twin, and refusal of slack folds."""
+"""Prestrained coefficients: hand-computed values, limits, the independent twin, and refusal of slack folds."""
 
 import math
 from dataclasses import fields
@@ -15,7 +15,7 @@ from vfcore.spec.fold_constants import FoldConstants
 
 CONSTANTS = FoldConstants()
 
-#: At strain 0.057, a_ta 0.4, worked by hand: (value, half a unit of its last digit).
+#: At strain 0.057, a_ta 0.4, computed by hand: (value, half a unit of its last digit).
 HAND_VALUES = {
     "length_m": (15.85e-3, 0.0051e-3),
     "thickness_m": (4.86e-3, 0.005e-3),
@@ -56,7 +56,7 @@ TWIN_NAMES = {
 
 
 @pytest.mark.parametrize("name", HAND_VALUES)
-def test_a_coefficient_has_the_value_worked_by_hand(name):
+def test_a_coefficient_has_the_hand_computed_value(name):
     value, half_digit = HAND_VALUES[name]
     assert abs(getattr(coefficients(0.057, 0.4, CONSTANTS), name) - value) <= half_digit
 
@@ -86,12 +86,16 @@ def test_without_strain_and_activation_the_fold_has_its_resting_size():
     assert c.beam_tension_n == pytest.approx(6.1e-6 * c.sigma_lig_pa + 40.9e-6 * c.sigma_ta_pa, rel=1e-12)
 
 
-def test_two_layers_of_one_material_bend_as_one_bar_about_their_common_middle():
+def test_two_layers_of_one_material_bend_as_one_bar_about_their_common_axis():
     """Equal moduli and no prestrain: E (I + offset² A) about the joint centroid, offset counted from the ligament."""
     same = FoldConstants(
-        sigma_1_lig_pa=1000.0, sigma_1_ta_pa=1000.0, sigma_2_lig_pa=0.0, sigma_2_ta_pa=0.0, epsilon_1_lig=-0.5,
+        sigma_1_lig_pa=1000.0,
+        sigma_1_ta_pa=1000.0,
+        sigma_2_lig_pa=0.0,
+        sigma_2_ta_pa=0.0,
+        epsilon_1_lig=-0.5,
         epsilon_1_ta=-0.5,
-    )  # fmt: skip
+    )
     c = coefficients(0.0, 0.0, same)
     E, b, d_lig, d_ta = 2000.0, 5e-3, 6.1e-6 / 5e-3, 40.9e-6 / 5e-3
     inertia = b * (d_lig**3 + d_ta**3) / 12

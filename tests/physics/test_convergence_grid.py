@@ -4,22 +4,22 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, NO_DAMPERS, advance, get_state, product_and_twin, put_state
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.statics import static_shape_of
 
 GRIDS = [(11, 6), (21, 11), (41, 21)]
 
 
 @pytest.mark.parametrize(("rows", "along_y"), [("uniform", 0), ("one half-wave over the thickness", 1)])
-def test_the_membrane_alone_rings_at_the_frequencies_of_a_continuous_one(rows, along_y):
-    """w = sin(πx/L) cos(mπy/b), no coupling: ω² = (T̃ (π/L)² + G̃ (mπ/b)²)/ρ_s, shear made as stiff as tension."""
+def test_the_membrane_alone_has_the_frequencies_of_the_continuous_one(rows, along_y):
+    """w = sin(πx/L) cos(mπy/b), no coupling: ω² = (T̃ (π/L)² + G̃ (mπ/b)²)/ρ_s, with shear as stiff as tension."""
     frequencies = []
     for nx, ny in GRIDS:
         free = {"K_coup_min_pa_m": 0.0, "K_coup_max_pa_m": 0.0, "G_m_pa": 1e3} | NO_DAMPERS
         fold, twin = product_and_twin(0.057, 0.4, 0.5, theta_conv=0.3, nx=nx, ny=ny, **free)
         shape = np.outer(np.sin(np.pi * twin.x / twin.k.L), np.cos(along_y * np.pi * twin.y / twin.k.b))[1:-1]
         dt, every = 2e-6, 40
-        march = March(fold, dt, 0.0)
+        march = TimeMarch(fold, dt, 0.0)
         put_state(march, twin.zero_state()._replace(w_m=1e-6 * shape))
         weight = shape * twin.row_width
         coordinate = []
@@ -40,7 +40,7 @@ def test_the_membrane_alone_rings_at_the_frequencies_of_a_continuous_one(rows, a
 
 
 def test_an_open_static_shape_converges_at_second_order_in_both_spacings():
-    """Error of the whole coupled equilibrium at common nodes, against Richardson's limit of the two finest grids."""
+    """Error of the coupled equilibrium at common nodes, against Richardson's limit of the two finest grids."""
     shapes = []
     for refine in (2, 4, 8, 16):
         fold, _ = product_and_twin(0.057, 0.4, 0.3, theta_conv=0.2, nx=10 * refine + 1, ny=3 * refine + 1)

@@ -14,7 +14,7 @@ from tests.support.fold_harness import (
     product_and_twin,
     put_state,
 )
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.statics import static_shape_of
 from vfcore.kernels.layout import RECORD
 from vfcore.spec.simulation import DEFAULT_STEP_S
@@ -40,7 +40,7 @@ def test_the_step_is_of_second_order_with_dampers(shear):
     splits, errors = np.array([2, 4, 8, 16]), []
     for split in splits:
         dt = DEFAULT_STEP_S / split
-        march = March(fold, dt, 0.0)
+        march = TimeMarch(fold, dt, 0.0)
         put_state(march, half_step_back(twin, start, dt))
         advance(march, 112 * split)
         errors.append(np.abs(get_state(march).w_m - exact.w_m).max() / 1e-5)
@@ -50,12 +50,12 @@ def test_the_step_is_of_second_order_with_dampers(shear):
 
 
 def test_a_voice_through_contact_and_flow_converges_at_first_order():
-    """12 ms from the static shape. Contact and separation switch between nodes within a step: order 1 at best."""
+    """12 ms from the static shape. Contact and separation switch nodes within a step, so the order is at most 1."""
     fold, _ = product_and_twin(**MODAL)
     shape = static_shape_of(fold)
 
     def final(split):
-        march = March(fold, DEFAULT_STEP_S / split, 1000.0)
+        march = TimeMarch(fold, DEFAULT_STEP_S / split, 1000.0)
         march.start_static(shape)
         record = advance(march, 336 * split)
         assert record[:, RECORD.index("contact_pressure_max_pa")].max() > 500

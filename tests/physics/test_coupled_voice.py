@@ -1,4 +1,4 @@
-"""Two-way coupling of the whole fold: forces against the twin, the limit of wide airways, order in the step."""
+"""Two-way coupling of the whole fold: forces against the twin, the limit of wide airways, order in the time step."""
 
 from dataclasses import replace
 
@@ -10,7 +10,7 @@ from tests.support.fold_harness import get_state, product_and_twin
 from vfcore.airways.coupled import Airways, airways
 from vfcore.airways.tract import Tract
 from vfcore.fold.assemble import beam, membrane, with_constants
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.runs.one import simulate
 from vfcore.spec.request import resolve
@@ -21,8 +21,8 @@ DAMPED = {"C_coup_pa_s_m": 300.0}
 FLOW, INLET, OUTLET = (RECORD.index(name) for name in ("glottal_flow_m3_s", "inlet_pressure_pa", "outlet_pressure_pa"))
 
 
-def step(march: March) -> np.ndarray:
-    """One step; its line of the record."""
+def step(march: TimeMarch) -> np.ndarray:
+    """Advance by one step; returns its row of the record."""
     record = np.empty(len(RECORD))
     march._advance(march.buffer, march.scalars, np.array([P_S]), 1, record, march.air)
     return record
@@ -30,12 +30,12 @@ def step(march: March) -> np.ndarray:
 
 @pytest.mark.kernel
 def test_along_a_voice_flow_pressures_and_forces_equal_the_twins():
-    """One section of travel a step, so that the twin's flow needs no geometry between steps."""
+    """With a step of one section of travel the twin needs no geometry between steps."""
     fold, twin = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.01, nx=12, ny=6)
     fold = with_constants(fold, **DAMPED)
     twin = replace(twin, constants=fold.constants)
     ways = airways("a", RHO, C, SECTION_TRAVEL_S)
-    march, air = March(fold, SECTION_TRAVEL_S, P_S, 0.0, ways), AirwaysTwin(ways)
+    march, air = TimeMarch(fold, SECTION_TRAVEL_S, P_S, 0.0, ways), AirwaysTwin(ways)
     march.start_flat()
     seen, room_before = [], np.zeros(fold.nx)
     for n in range(1400):
@@ -52,7 +52,7 @@ def test_along_a_voice_flow_pressures_and_forces_equal_the_twins():
             aero = twin.mean_pressure(state.w_m, drop, room_before, SECTION_TRAVEL_S)[1:-1] + line[OUTLET]
             without = twin.acceleration(extrapolated, 0.0)[0] + twin.flow(state.w_m, 0.0).p_aero[1:-1] / twin.k.rho_s
             v, v_star = (membrane(march.buffer, fold, name)[:, 1:-1].T for name in ("v", "v_star"))
-            moved = 2 * (v_star - v) / SECTION_TRAVEL_S  # v* lies half an increment beyond v
+            moved = 2 * (v_star - v) / SECTION_TRAVEL_S  # v* is half an increment beyond v
             wanted = without - aero / twin.k.rho_s
             assert np.abs(moved - wanted).max() < 2e-3 * np.abs(wanted).max()
         room_before = (twin.medial - twin.whole(state.w_m)).min(axis=1)
@@ -63,7 +63,7 @@ def test_along_a_voice_flow_pressures_and_forces_equal_the_twins():
 
 
 def wide(factor: float) -> Airways:
-    """Airways with all areas times ``factor``: they push back by so much less."""
+    """Airways with all areas times ``factor``, so their pressures are smaller by that factor."""
     ways = airways("a", RHO, C, DEFAULT_STEP_S)
 
     def widened(tract: Tract) -> Tract:
@@ -72,12 +72,12 @@ def wide(factor: float) -> Airways:
     return Airways(widened(ways.subglottal), widened(ways.supraglottal), ways.substeps)
 
 
-def test_in_wide_airways_the_voice_becomes_that_of_one_way_coupling():
+def test_with_wide_airways_the_voice_becomes_that_of_one_way_coupling():
     fold, _ = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.01)
     fold = with_constants(fold, **DAMPED)
     records = {}
     for factor in (None, 25.0, 100.0):
-        march = March(fold, DEFAULT_STEP_S, P_S, 0.0, wide(factor) if factor else None)
+        march = TimeMarch(fold, DEFAULT_STEP_S, P_S, 0.0, wide(factor) if factor else None)
         march.start_flat()
         records[factor] = march.run(280)
     size = records[None][:, FLOW].max()
@@ -87,11 +87,11 @@ def test_in_wide_airways_the_voice_becomes_that_of_one_way_coupling():
     assert pressure[100.0] < 0.4 * pressure[25.0] and pressure[100.0] < 0.1 * P_S
 
 
-def test_a_finer_step_gives_the_same_voice_and_half_the_step_is_four_times_as_near_to_it():
+def test_the_voice_converges_at_second_order_in_the_time_step():
     document = {"subglottal_pressure_pa": 600, "model": {"variant": "human", "coupling": "two_way"}}
     usual, half, finest = (
         simulate(resolve(document | {"run": {"duration_s": 0.5, "time_step_s": sections * SECTION_TRAVEL_S}})).report
-        for sections in (4, 2, 1)  # all with the same tract; the product's own step is five sections
+        for sections in (4, 2, 1)  # steps that all allow the same tract; the default step is five sections
     )
     own = simulate(resolve(document | {"run": {"duration_s": 0.5}})).report
     assert usual.state == half.state == finest.state == own.state == "periodic"
@@ -102,7 +102,7 @@ def test_a_finer_step_gives_the_same_voice_and_half_the_step_is_four_times_as_ne
 
 
 def test_fields_of_a_cycle_lie_between_the_pressures_around_the_glottis():
-    """Air pressure on the folds is that of the inlet upstream and that of the outlet behind the separation."""
+    """The air pressure on the folds is the inlet pressure upstream and the outlet pressure after separation."""
     result = simulate(resolve({"subglottal_pressure_pa": 600, "model": {"variant": "human", "coupling": "two_way"}}))
     at, time = result.arrays["cycle_time_s"], result.arrays["time_s"]
     inlet, outlet = (np.interp(at, time, result.arrays[f"{end}_pressure_pa"]) for end in ("inlet", "outlet"))

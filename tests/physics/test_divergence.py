@@ -1,4 +1,4 @@
-"""A run that leaves all bounds is caught where it starts, and told with time, place and a remedy."""
+"""A diverging run is stopped where it starts, with an error that has time, place and a remedy."""
 
 import re
 import sys
@@ -10,7 +10,7 @@ import vfcore
 from tests.support.fold_harness import MODAL, advance, product_and_twin
 from vfcore.errors import DivergenceError, VocalisError
 from vfcore.fold.assemble import membrane
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import SAFETY, longest_stable_step_s
 from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M
 from vfcore.spec.simulation import Run, Simulation
@@ -21,12 +21,12 @@ def too_long_step(fold):
 
 
 def diverging(fold):
-    march = March(fold, too_long_step(fold), 1000.0)
+    march = TimeMarch(fold, too_long_step(fold), 1000.0)
     march.start_flat()
     return march
 
 
-def test_it_names_the_first_step_and_node_beyond_the_bound():
+def test_the_error_has_the_first_step_and_node_beyond_the_bound():
     fold, _ = product_and_twin(**MODAL)
     with pytest.raises(DivergenceError) as caught:
         diverging(fold).run(4000)
@@ -42,7 +42,7 @@ def test_it_names_the_first_step_and_node_beyond_the_bound():
     assert beyond[round(j), round(i)]
 
 
-def test_the_sentence_has_time_place_reason_and_remedy():
+def test_the_message_has_time_place_reason_and_remedy():
     fold, _ = product_and_twin(**MODAL)
     with pytest.raises(DivergenceError) as caught:
         diverging(fold).run(4000)
@@ -56,7 +56,7 @@ def test_the_sentence_has_time_place_reason_and_remedy():
     assert f"a step below {too_long_step(fold):.3g} s" in error.remedy
 
 
-def test_it_is_caught_in_the_chunk_in_which_it_starts():
+def test_divergence_is_found_in_the_chunk_in_which_it_starts():
     fold, _ = product_and_twin(**MODAL)
     fractions = []
     with pytest.raises(DivergenceError) as caught:
@@ -66,15 +66,15 @@ def test_it_is_caught_in_the_chunk_in_which_it_starts():
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-def test_a_state_that_is_not_a_larynx_any_more_is_refused(value):
+def test_a_displacement_beyond_the_bound_is_a_divergence(value):
     fold, _ = product_and_twin(**MODAL)
-    march = March(fold, 1e-6, 0.0)
+    march = TimeMarch(fold, 1e-6, 0.0)
     membrane(march.buffer, fold)[3, 7] = value
     with pytest.raises(DivergenceError):
         march.run(10)
 
 
-def test_a_whole_run_that_diverges_gives_the_error_and_no_result(monkeypatch):
+def test_a_run_that_diverges_raises_the_error(monkeypatch):
     monkeypatch.setattr(sys.modules["vfcore.runs.one"], "time_step_s", lambda run, fold: too_long_step(fold))
     with pytest.raises(DivergenceError, match=r"the run diverged at t = .* ms"):
         vfcore.simulate(Simulation(run=Run(duration_s=0.2)))

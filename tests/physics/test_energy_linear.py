@@ -1,4 +1,4 @@
-"""Energy without air and contact: kept without dampers, lost exactly as the dampers dissipate it."""
+"""Energy without air and contact: conserved without dampers, otherwise lost as the dampers dissipate it."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from tests.support.fold_harness import (
     product_and_twin,
     put_state,
 )
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 
@@ -28,8 +28,8 @@ def plucked(twin, count=12, size=1e-5):
 
 
 def states_of(fold, twin, start, dt, steps):
-    """States (q, v) at whole steps: velocity as the mean of the two half steps around."""
-    march = March(fold, dt, 0.0)
+    """States (q, v) at whole steps: the velocity is the mean of the two adjacent half steps."""
+    march = TimeMarch(fold, dt, 0.0)
     put_state(march, half_step_back(twin, start, dt))
     before = get_state(march)
     for _ in range(steps):
@@ -53,7 +53,7 @@ def energies(twin, states):
 
 
 @pytest.mark.parametrize("shear", SHEARS)
-def test_without_dampers_the_energy_only_wavers_by_the_square_of_the_step(shear):
+def test_without_dampers_the_energy_oscillates_by_the_square_of_the_step(shear):
     fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **NO_DAMPERS)
     start, drifts = plucked(twin), []
     for split in (1, 2, 4):
@@ -65,8 +65,8 @@ def test_without_dampers_the_energy_only_wavers_by_the_square_of_the_step(shear)
 
 
 @pytest.mark.parametrize("shear", SHEARS)
-def test_over_thousands_of_steps_energy_is_only_lost_and_by_the_cube_of_the_step(shear):
-    """Störmer's formula damps a mode by h³/24 a radian, h = ω dt: 0.2 % of the energy in 0.14 s at most."""
+def test_over_thousands_of_steps_energy_only_falls_by_the_cube_of_the_step(shear):
+    """Störmer's formula damps a mode by h³/24 per radian, h = ω dt: at most 0.2 % of the energy in 0.14 s."""
     fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **NO_DAMPERS)
     losses = []
     for split in (1, 2):
@@ -79,7 +79,7 @@ def test_over_thousands_of_steps_energy_is_only_lost_and_by_the_cube_of_the_step
 
 
 @pytest.mark.parametrize("shear", SHEARS)
-def test_what_is_lost_is_what_the_dampers_dissipate(shear):
+def test_the_energy_loss_is_the_dissipation_of_the_dampers(shear):
     """E(0) − E(t) = ∫ ẇᵀ C ẇ dt, to second order in the step."""
     fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear)
     damping, start, misses = twin.linear_operators().C, plucked(twin), []

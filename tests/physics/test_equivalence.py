@@ -1,4 +1,4 @@
-"""The fast step hides no physics: random postures against the plain loop at the paper's step."""
+"""The default step against the plain loop at the paper's step, over random postures."""
 
 import numpy as np
 import pytest
@@ -19,13 +19,14 @@ def test_the_modal_voice_is_that_of_the_papers_step():
     [(0.4233, 0.8277, 0.4092, 0.5496, 541.3), (0.2718, 0.5764, 0.8054, 0.2672, 924.8)],
 )
 def test_a_voice_whose_period_is_a_whole_number_of_steps_flows_as_at_a_finer_step(ta, ct, lca, ia, pressure_pa):
-    """160 and 157 steps: it locks to them, and closes at the same part of a step in every cycle."""
+    """Periods of 160 and 157 steps: the voice locks to the step and closes at the same part of it in every cycle."""
     flows = []
     for step_s in (DEFAULT_STEP_S, DEFAULT_STEP_S / 4):
         request = Simulation(
-            activation=Activation(ta=ta, ct=ct, lca=lca, ia=ia, pca=0.0), subglottal_pressure_pa=pressure_pa,
+            activation=Activation(ta=ta, ct=ct, lca=lca, ia=ia, pca=0.0),
+            subglottal_pressure_pa=pressure_pa,
             run=Run(time_step_s=step_s),
-        )  # fmt: skip
+        )
         report = vfcore.simulate(request).report
         assert report.state == "periodic"
         steps = 1 / (report.measures["fo_hz"].value * DEFAULT_STEP_S)

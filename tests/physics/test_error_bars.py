@@ -1,4 +1,4 @@
-"""Error bars against a run on a grid four times as fine as the one they belong to."""
+"""Error bars against a run on a grid four times as fine."""
 
 from dataclasses import replace
 
@@ -25,6 +25,6 @@ def test_the_bars_cover_what_a_much_finer_grid_gives(voice):
     covered = [key for key, bar in barred.items() if differences[key] <= bar.half_width + 1e-12]
     assert len(moved) >= 12
     assert len(covered) >= 0.9 * len(barred), sorted(set(barred) - set(covered))
-    # Wide bars cover anything: f_o to 1 %, the mean flow to 10 %.
+    # Bars must also be narrow: f_o to 1 %, mean flow to 10 %.
     assert moved["fo_hz"].half_width < 0.01 * fine.measures["fo_hz"].value
     assert moved["mean_flow_ml_s"].half_width < 0.1 * fine.measures["mean_flow_ml_s"].value

@@ -1,4 +1,4 @@
-"""Flow through one slice: Bernoulli with loss, read as any physicist would check it. Gaps run from outlet to inlet."""
+"""Flow through one slice: Bernoulli with viscous loss. Gaps are ordered from outlet to inlet."""
 
 import numpy as np
 import pytest
@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 from tests.support.fold_harness import product_and_twin
 from vfcore.fold.assemble import membrane
-from vfcore.fold.march import March
-from vfcore.kernels.flow import share_held, share_shut
+from vfcore.fold.march import TimeMarch
+from vfcore.kernels.flow import closed_fraction, held_fraction
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import RECORD
 from vfcore.kernels.surface import surface_pressures
@@ -30,9 +30,9 @@ def pressures(gaps, pressure_pa=P_S, mu=MU, alpha_s=ALPHA_S):
 
 
 def flux(gaps, pressure_pa=P_S, mu=MU, alpha_s=ALPHA_S):
-    """Flow per width, m²/s, of a slice with these gaps: one step of the kernel with every other slice shut."""
+    """Flow per width, m²/s, of a slice with these gaps: one step of the kernel with every other slice closed."""
     fold, _ = product_and_twin(0.057, 0.4, 0.0, nx=NX, ny=NY, mu_a_pa_s=mu, rho_a_kg_m3=RHO, alpha_s=alpha_s)
-    march = March(fold, 1e-6, pressure_pa)
+    march = TimeMarch(fold, 1e-6, pressure_pa)
     medial = np.full((NY, NX), -1.0)
     medial[:, SLICE] = np.array(gaps) / 2
     membrane(march.buffer, fold, "G")[:] = medial
@@ -53,14 +53,14 @@ def test_without_viscosity_the_flux_is_the_bernoulli_speed_times_the_separation_
 
 @pytest.mark.kernel
 def test_a_slice_of_one_gap_separates_at_its_inlet():
-    """α_s d_min exceeds every gap of the slice: the largest bounds it, nothing is attached, no length is lossy."""
+    """α_s d_min exceeds every gap: the largest gap bounds it, no node is attached, there is no viscous loss."""
     gaps = np.full(NY, 5e-4)
     assert flux(gaps) == pytest.approx(np.sqrt(2 * P_S / RHO) * 5e-4, rel=1e-12)
     assert (pressures(gaps) == 0).all()
 
 
 @pytest.mark.parametrize("mu", [1e-6, 1e-7, 1e-8])
-def test_as_viscosity_vanishes_the_flux_tends_to_the_bernoulli_flux_by_the_loss_on_the_way(mu):
+def test_as_viscosity_vanishes_the_flux_tends_to_the_bernoulli_flux_at_first_order(mu):
     """To first order the relative deficit is half the viscous drop over P_s, 6 μ q ∫dy/d³ / P_s."""
     gaps = np.linspace(2e-4, 2e-3, NY)
     ideal = np.sqrt(2 * P_S / RHO) * ALPHA_S * 2e-4
@@ -72,9 +72,7 @@ def test_as_viscosity_vanishes_the_flux_tends_to_the_bernoulli_flux_by_the_loss_
 @pytest.mark.kernel
 @given(gaps=GAPS, closed=st.integers(0, NY - 1), overlap=st.floats(0, 1e-3))
 @settings(max_examples=30, deadline=None)
-def test_a_slice_closed_anywhere_passes_nothing_and_holds_the_lung_pressure_below_its_lowest_contact(
-    gaps, closed, overlap
-):
+def test_a_closed_slice_has_no_flow_and_lung_pressure_upstream_of_its_first_contact(gaps, closed, overlap):
     gaps[closed] = -2 * overlap
     assert flux(gaps) == 0
     p = pressures(gaps)
@@ -82,14 +80,14 @@ def test_a_slice_closed_anywhere_passes_nothing_and_holds_the_lung_pressure_belo
     assert (p[:closed] == 0).all()
 
 
-def test_of_several_contacts_the_one_nearest_the_lungs_holds_the_pressure():
+def test_with_several_contacts_the_pressure_ends_at_the_one_nearest_the_lungs():
     assert pressures([1e-3, 0, 1e-3, 0, 1e-3, 1e-3]).tolist() == [0, 0, 0, P_S, P_S, P_S]
 
 
 @given(gaps=GAPS, mu=st.sampled_from([0.0, MU, 1e-3]))
 @example(gaps=[2e-5, 4e-3, 3e-3, 4e-3, 2.5e-5, 4e-3], mu=MU)
 @settings(max_examples=60, deadline=None)
-def test_the_same_volume_passes_every_attached_node_and_the_pressure_ends_at_separation(gaps, mu):
+def test_the_flow_is_the_same_at_every_attached_node_and_the_pressure_ends_at_separation(gaps, mu):
     q, p = flux(gaps, mu=mu), pressures(gaps, mu=mu)
     separation_gap = min(ALPHA_S * min(gaps), max(gaps))
     loss, j, dy = 0.0, NY - 1, THICKNESS_M / (NY - 1)
@@ -103,15 +101,15 @@ def test_the_same_volume_passes_every_attached_node_and_the_pressure_ends_at_sep
     assert (p[: j + 1] == 0).all()
 
 
-def test_separation_is_read_from_the_inlet_even_where_the_glottis_is_narrower_downstream():
-    gaps = np.array([1.0, 3.0, 1.2, 3.0, 3.5, 4.0]) * 1e-3  # d_min at the outlet, d_sep = 1.3 mm reached before it
+def test_separation_is_found_from_the_inlet_even_if_the_glottis_is_narrower_downstream():
+    gaps = np.array([1.0, 3.0, 1.2, 3.0, 3.5, 4.0]) * 1e-3  # d_min is at the outlet, d_sep = 1.3 mm upstream of it
     p = pressures(gaps)
     assert (p[3:] > 0).all() and (p[:3] == 0).all()
 
 
 @given(gaps=GAPS, grow=st.floats(1.001, 3), widen=st.floats(1e-6, 1e-3))
 @settings(max_examples=40, deadline=None)
-def test_a_wider_slice_passes_more(gaps, grow, widen):
+def test_a_wider_slice_has_more_flow(gaps, grow, widen):
     here = flux(gaps)
     assert here > 0
     assert flux(np.array(gaps) * grow) > here
@@ -125,7 +123,7 @@ def test_more_pressure_drives_more_flow(gaps, low, more):
 
 
 @pytest.mark.kernel
-def test_without_lung_pressure_nothing_moves_and_nothing_presses():
+def test_without_lung_pressure_there_is_no_flow_and_no_pressure():
     gaps = np.linspace(2e-4, 2e-3, NY)
     assert flux(gaps, pressure_pa=0.0) == 0
     assert (pressures(gaps, pressure_pa=0.0) == 0).all()
@@ -133,7 +131,7 @@ def test_without_lung_pressure_nothing_moves_and_nothing_presses():
 
 @given(gaps=GAPS, alpha_s=st.floats(1.0, 2.5))
 @settings(max_examples=30, deadline=None)
-def test_separation_at_the_ratio_asked_for(gaps, alpha_s):
+def test_separation_is_at_the_requested_ratio(gaps, alpha_s):
     d_sep = min(alpha_s * min(gaps), max(gaps))
     assume(all(abs(gap - d_sep) > 1e-9 for gap in gaps if gap != max(gaps)))
     inner = np.flatnonzero(np.array(gaps) <= d_sep)
@@ -145,12 +143,10 @@ def test_separation_at_the_ratio_asked_for(gaps, alpha_s):
 @given(first=st.floats(-2.0, 2.0), behind=st.floats(0.0, 2.0), speed=st.sampled_from([-1.0, 1.0]))
 @example(first=-0.2, behind=0.1, speed=1.0)
 @settings(max_examples=40, deadline=None)
-def test_what_a_node_holds_is_the_mean_over_the_step_in_which_a_slice_closes_there_and_nearer_to_the_inlet(
-    first, behind, speed
-):
-    """All rows move by Δ in the step; the folds meet in row 1 at half gap ``first`` Δ, in row 3 ``behind`` Δ later."""
+def test_the_pressure_of_a_node_is_its_mean_over_the_step_in_which_the_slice_closes(first, behind, speed):
+    """All rows move by Δ in the step. The folds meet in row 1 at half gap ``first`` Δ, in row 3 ``behind`` Δ later."""
     change, instants = 1e-5, (np.arange(400) + 0.5) / 400 - 0.5
     half_gaps = np.array([1e-3, first * change, 1e-3, (first + behind) * change, 1e-3, 1e-3])
     through = np.mean([pressures(2 * (half_gaps + speed * change * at)) for at in instants], axis=0)
-    shut = share_shut(half_gaps[1], 1 / change)
-    assert P_S * share_held(half_gaps[3], 1 / change, shut) == pytest.approx(through[1], abs=P_S / 200)
+    shut = closed_fraction(half_gaps[1], 1 / change)
+    assert P_S * held_fraction(half_gaps[3], 1 / change, shut) == pytest.approx(through[1], abs=P_S / 200)

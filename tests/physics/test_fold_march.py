@@ -1,4 +1,4 @@
-"""Marching in chunks: progress, cancel, records, checkpoints; nothing of it may touch the numbers."""
+"""Marching in chunks: progress, cancellation, records and checkpoints, none of which may change the numbers."""
 
 import threading
 import time
@@ -10,7 +10,7 @@ import vfcore
 import vfcore.fold.march
 from tests.support.fold_harness import MODAL, advance, product_and_twin
 from vfcore.errors import Cancelled
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Run, Simulation
 
@@ -18,7 +18,7 @@ COLUMN = {name: k for k, name in enumerate(RECORD)}
 
 
 def modal_march(dt=DEFAULT_STEP_S, pressure_pa=1000.0):
-    march = March(product_and_twin(**MODAL)[0], dt, pressure_pa)
+    march = TimeMarch(product_and_twin(**MODAL)[0], dt, pressure_pa)
     march.start_flat()
     return march
 
@@ -26,7 +26,7 @@ def modal_march(dt=DEFAULT_STEP_S, pressure_pa=1000.0):
 # ---- progress and cancel ----------------------------------------------------------------------------
 
 
-def test_progress_rises_in_steps_of_forty_milliseconds_to_exactly_one():
+def test_progress_rises_to_exactly_one_in_chunks_of_forty_milliseconds():
     fractions = []
     vfcore.simulate(Simulation(run=Run(duration_s=0.2)), progress=fractions.append)
     assert fractions[-1] == 1.0
@@ -34,9 +34,9 @@ def test_progress_rises_in_steps_of_forty_milliseconds_to_exactly_one():
     assert np.diff([0.0, *fractions]) == pytest.approx(0.2, abs=0.001)
 
 
-def test_a_fine_grid_at_a_short_step_is_looked_at_more_often():
+def test_a_fine_grid_at_a_short_step_has_shorter_chunks():
     fractions = []
-    run = Run(duration_s=0.05, nx=80, ny=40, time_step_s=2e-6)  # a chunk of 40 ms would be 0.2 s of work
+    run = Run(duration_s=0.05, nx=80, ny=40, time_step_s=2e-6)  # a chunk of 40 ms would take 0.2 s
     with pytest.raises(Cancelled):
         vfcore.simulate(Simulation(run=run), progress=fractions.append, stop=lambda: len(fractions) > 2)
     assert np.diff([0.0, *fractions]) == pytest.approx(5e6 / (80 * 40) * 2e-6 / 0.05, rel=0.01)
@@ -55,7 +55,7 @@ def test_the_stop_flag_ends_the_run_before_the_next_chunk():
 
 
 def test_a_run_stopped_from_another_thread_ends_within_a_few_chunks():
-    """60 s of voice take seconds; raised after 0.1 s, the flag ends it well within the second."""
+    """60 s of voice take seconds; a flag set after 0.1 s ends the run within a second."""
     flag, running = threading.Event(), threading.Event()
     timer = threading.Timer(0.1, flag.set)
     began = time.perf_counter()
@@ -70,8 +70,8 @@ def test_a_run_stopped_from_another_thread_ends_within_a_few_chunks():
     assert flag.is_set() and time.perf_counter() - began < 5.0
 
 
-def test_the_loop_leaves_the_interpreter_to_other_threads():
-    """While one call of the kernel runs for long, another thread goes on ticking."""
+def test_the_loop_releases_the_gil():
+    """Another thread runs during a long call of the kernel."""
     march = modal_march()
     advance(march, 10)
     done = threading.Event()
@@ -101,7 +101,7 @@ def whole_run(samples=700, **kwargs):
 
 
 @pytest.mark.parametrize("chunk_s", [DEFAULT_STEP_S, 1e-3, 7.7e-3, 1.0])
-def test_the_size_of_the_chunks_changes_nothing(chunk_s, monkeypatch):
+def test_the_result_does_not_depend_on_the_chunk_size(chunk_s, monkeypatch):
     record, buffer = whole_run()
     monkeypatch.setattr(vfcore.fold.march, "CHUNK_S", chunk_s)
     other_record, other_buffer = whole_run()
@@ -109,14 +109,14 @@ def test_the_size_of_the_chunks_changes_nothing(chunk_s, monkeypatch):
     assert np.array_equal(buffer, other_buffer)
 
 
-def test_two_runs_on_end_are_one_run():
+def test_two_runs_in_succession_equal_one_run():
     record, buffer = whole_run()
     march = modal_march()
     parts = np.concatenate([march.run(123), march.run(577)])
     assert np.array_equal(record, parts, equal_nan=True) and np.array_equal(buffer, march.buffer)
 
 
-def test_a_record_of_every_twentieth_step_is_every_twentieth_line_of_the_full_one():
+def test_a_sparse_record_has_every_twentieth_row_of_the_full_record():
     march = modal_march(PAPER_STEP_S)
     assert march.record_every == 20
     sparse = march.run(300)
@@ -125,11 +125,11 @@ def test_a_record_of_every_twentieth_step_is_every_twentieth_line_of_the_full_on
 
 
 @pytest.mark.parametrize(("parts", "every"), [(1, 1), (2, 2), (3, 3), (4, 4), (16, 16)])
-def test_the_record_comes_at_twenty_eight_kilohertz_for_every_part_of_the_default_step(parts, every):
+def test_the_record_has_twenty_eight_kilohertz_for_every_fraction_of_the_default_step(parts, every):
     assert modal_march(DEFAULT_STEP_S / parts).record_every == every
 
 
-def test_a_step_longer_than_the_default_is_recorded_as_it_is():
+def test_with_a_step_longer_than_the_default_every_step_is_recorded():
     assert modal_march(1.5 * DEFAULT_STEP_S).record_every == 1
 
 
@@ -143,7 +143,7 @@ def test_the_same_run_twice_gives_the_same_bits():
 
 
 @pytest.mark.parametrize("dt", [DEFAULT_STEP_S, DEFAULT_STEP_S / 3])
-def test_a_cycle_read_back_is_the_motion_that_was_recorded(dt):
+def test_a_cycle_read_back_equals_the_recorded_motion(dt):
     march = modal_march(dt)
     record = march.run(2100)
     buffer = march.buffer.copy()
@@ -161,9 +161,9 @@ def test_a_cycle_read_back_is_the_motion_that_was_recorded(dt):
     assert pushes.max() > 1000
 
 
-def test_the_pressures_of_a_cycle_are_those_of_the_rising_lung_pressure_then():
+def test_the_pressures_of_a_cycle_use_the_lung_pressure_of_that_time():
     fold, _ = product_and_twin(**MODAL)
-    march = March(fold, DEFAULT_STEP_S, 1000.0, rise_s=0.02)
+    march = TimeMarch(fold, DEFAULT_STEP_S, 1000.0, rise_s=0.02)
     march.start_flat()
     march.run(1000)
     cycle = march.cycle(300, 400, 10)
@@ -172,7 +172,7 @@ def test_the_pressures_of_a_cycle_are_those_of_the_rising_lung_pressure_then():
     assert inlet == pytest.approx(rising, rel=1e-12)
 
 
-def test_a_quarter_of_a_second_can_be_read_back_and_the_march_says_how_far():
+def test_a_quarter_of_a_second_can_be_read_back():
     march = modal_march()
     march.run(14_000)
     oldest = march.oldest_sample

@@ -1,4 +1,4 @@
-"""How a run starts: flat with a bump of 1 nm, or in the static shape; under a step or a ramp of lung pressure."""
+"""Start of a run: flat with a bump of 1 nm or in the static shape, with a step or a ramp of lung pressure."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ import pytest
 import vfcore
 from tests.support.fold_harness import MODAL, advance, product_and_twin
 from vfcore.fold.assemble import beam, membrane
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.statics import static_shape_of
 from vfcore.kernels.layout import RECORD
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
@@ -15,9 +15,9 @@ AREA, FLOW, CONTACT = (RECORD.index(name) for name in ("glottal_area_m2", "glott
 SHORT = 0.05
 
 
-def test_a_flat_start_is_a_bump_of_a_nanometre_in_the_middle_and_nothing_else():
+def test_a_flat_start_is_at_rest_but_for_a_bump_of_one_nanometre():
     fold, twin = product_and_twin(**MODAL, nx=21, ny=11)
-    march = March(fold, DEFAULT_STEP_S, 1000.0)
+    march = TimeMarch(fold, DEFAULT_STEP_S, 1000.0)
     march.start_flat()
     w = membrane(march.buffer, fold)
     assert w[5, 10] == pytest.approx(1e-9, rel=1e-12) and w.max() == w[5, 10]
@@ -31,14 +31,14 @@ def test_a_flat_start_is_a_bump_of_a_nanometre_in_the_middle_and_nothing_else():
 
 def test_a_static_start_is_the_static_shape_at_rest():
     fold, _ = product_and_twin(**MODAL)
-    shape, march = static_shape_of(fold), March(fold, DEFAULT_STEP_S, 1000.0)
+    shape, march = static_shape_of(fold), TimeMarch(fold, DEFAULT_STEP_S, 1000.0)
     march.start_static(shape)
     assert (membrane(march.buffer, fold) == shape.w_m).all() and (beam(march.buffer, fold) == shape.w_b).all()
     assert not membrane(march.buffer, fold, "v").any() and not beam(march.buffer, fold, "v_b").any()
 
 
-def test_a_run_says_where_it_started():
-    """The modal fold starts closed by contact from the static shape, and barely touching from flat."""
+def test_a_run_starts_where_the_request_says():
+    """The static shape of the modal fold is closed by contact; the flat start barely touches."""
     static = vfcore.simulate(Simulation(run=Run(duration_s=SHORT, start="static")))
     flat = vfcore.simulate(Simulation(run=Run(duration_s=SHORT)))
     touching = static.arrays["contact_area_m2"][0]
@@ -49,30 +49,30 @@ def test_a_run_says_where_it_started():
     )
 
 
-def test_both_starts_lead_to_the_same_modal_voice():
+def test_both_starts_give_the_same_modal_voice():
     voices = [vfcore.simulate(Simulation(run=Run(duration_s=0.6, start=start))) for start in ("flat", "static")]
     pitch, flow = ([v.report.measures[key].value for v in voices] for key in ("fo_hz", "mean_flow_ml_s"))
     assert pitch[0] == pytest.approx(pitch[1], rel=1e-4)
     assert flow[0] == pytest.approx(flow[1], rel=1e-3)
 
 
-def test_the_pressure_rises_on_a_straight_line_to_its_full_value():
-    march = March(product_and_twin(**MODAL)[0], DEFAULT_STEP_S, 800.0, rise_s=0.1)
+def test_the_pressure_rises_linearly_to_its_full_value():
+    march = TimeMarch(product_and_twin(**MODAL)[0], DEFAULT_STEP_S, 800.0, rise_s=0.1)
     times = np.array([0.0, 0.025, 0.05, 0.0999, 0.1, 0.3])
     pressures = march.pressure_at(times / DEFAULT_STEP_S)
     assert pressures == pytest.approx([0.0, 200.0, 400.0, 799.2, 800.0, 800.0])
 
 
-def test_without_a_rise_the_pressure_is_there_from_the_first_step():
-    march = March(product_and_twin(**MODAL)[0], DEFAULT_STEP_S, 800.0)
+def test_without_a_rise_the_pressure_is_full_from_the_first_step():
+    march = TimeMarch(product_and_twin(**MODAL)[0], DEFAULT_STEP_S, 800.0)
     assert (march.pressure_at(np.arange(3)) == 800.0).all()
 
 
-def test_an_open_glottis_passes_flow_in_proportion_to_the_root_of_the_rising_pressure():
-    """A fold of posture held wide open hardly moves in the first milliseconds: Q ∝ √P_s."""
+def test_the_flow_of_an_open_glottis_follows_the_root_of_the_rising_pressure():
+    """A wide open fold hardly moves in the first milliseconds: Q ∝ √P_s."""
     fold, _ = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.4, theta_conv=0.2, mu_a_pa_s=0.0)
     shape = static_shape_of(fold)
-    march = March(fold, DEFAULT_STEP_S, 10.0, rise_s=40 * DEFAULT_STEP_S)
+    march = TimeMarch(fold, DEFAULT_STEP_S, 10.0, rise_s=40 * DEFAULT_STEP_S)
     march.start_static(shape)
     flow = advance(march, 60)[:, FLOW]
     assert flow[0] == 0
@@ -80,7 +80,7 @@ def test_an_open_glottis_passes_flow_in_proportion_to_the_root_of_the_rising_pre
     assert flow[59] == pytest.approx(flow[40], rel=5e-3)
 
 
-def test_a_ramp_ends_in_the_same_voice_as_a_step():
+def test_a_ramp_and_a_step_give_the_same_voice():
     voices = [vfcore.simulate(Simulation(run=Run(duration_s=0.8, pressure_rise_s=rise))) for rise in (0.0, 0.1)]
     pitch = [voice.report.measures["fo_hz"].value for voice in voices]
     assert pitch[0] == pytest.approx(pitch[1], rel=1e-4)
@@ -90,7 +90,7 @@ def test_a_ramp_ends_in_the_same_voice_as_a_step():
 
 def test_without_pressure_no_air_flows_and_the_folds_settle_into_the_static_shape():
     fold, _ = product_and_twin(**MODAL)
-    march = March(fold, DEFAULT_STEP_S, 0.0)
+    march = TimeMarch(fold, DEFAULT_STEP_S, 0.0)
     march.start_flat()
     record = advance(march, round(1.5 / DEFAULT_STEP_S))
     assert not record[:, FLOW].any()

@@ -1,4 +1,4 @@
-"""The slow twin itself, against exact answers; longer than other files because one twin holds every law of the fold."""
+"""The twin of the fold against exact solutions; one file, because one twin has every law of the fold."""
 
 from dataclasses import replace
 
@@ -24,7 +24,7 @@ def random_state(fold, seed=0, size=1e-4):
 
 # ---- coefficients ---------------------------------------------------------------------------------
 
-HAND_VALUES = {  # at strain 0.057, a_ta 0.4, worked by hand: (value, half a unit of its last digit)
+HAND_VALUES = {  # at strain 0.057, a_ta 0.4, computed by hand: (value, half a unit of its last digit)
     "L": (15.85e-3, 0.0051e-3), "b": (4.86e-3, 0.005e-3), "sigma_muc": (6490, 5), "sigma_lig": (9230, 5),
     "sigma_ta": (40500, 50), "E_lig": (79200, 50), "E_ta": (38000, 50), "T_m_tilde": (7.25, 0.005),
     "N_b": (1.71, 0.005), "N_b_tilde": (1.86, 0.005), "M_bar": (7.58e-3, 0.005e-3), "mu_c": (1.69e-5, 0.005e-5),
@@ -33,7 +33,7 @@ HAND_VALUES = {  # at strain 0.057, a_ta 0.4, worked by hand: (value, half a uni
 
 
 @pytest.mark.parametrize("name", HAND_VALUES)
-def test_coefficients_have_the_values_worked_by_hand(name):
+def test_coefficients_have_the_hand_computed_values(name):
     value, half_digit = HAND_VALUES[name]
     assert abs(getattr(coefficients(FoldConstants(), 0.057, 0.4), name) - value) <= half_digit
 
@@ -47,7 +47,7 @@ def test_the_beam_carries_no_net_axial_increment_in_bending():
 # ---- flow -----------------------------------------------------------------------------------------
 
 
-def test_uniform_gaps_without_viscosity_pass_the_bernoulli_flow():
+def test_uniform_gaps_without_viscosity_have_the_bernoulli_flow():
     fold = FoldTwin(0.057, 0.4, 0.1, theta_conv=0.0, constants=FoldConstants(mu_a_pa_s=0.0))
     air = fold.flow(fold.zero_state().w_m, P_S)
     area = fold.k.L**2 * np.tan(0.1)  # ∫ 2 x tan θ_g dx, exact by the trapezoid rule
@@ -66,7 +66,7 @@ def test_a_wedge_without_viscosity_separates_at_the_ratio_of_the_paper():
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_every_slice_obeys_the_momentum_balance_read_node_by_node(seed):
+def test_every_slice_obeys_the_momentum_balance_at_every_node(seed):
     """Volume flow v·d_g is the same at every attached row, from p and the viscous loss up to that row."""
     fold = FoldTwin(0.057, 0.4, 0.05, theta_conv=0.05)
     c = fold.constants
@@ -89,7 +89,7 @@ def test_every_slice_obeys_the_momentum_balance_read_node_by_node(seed):
     assert attached_rows > 50
 
 
-def test_a_closed_slice_holds_the_lung_pressure_below_its_lowest_contact_and_passes_nothing():
+def test_a_closed_slice_has_no_flow_and_lung_pressure_upstream_of_its_first_contact():
     fold = FoldTwin(**MODAL)
     w_m = np.zeros((fold.n, fold.ny))
     w_m[:, [3, 6]] = 1e-3
@@ -98,7 +98,7 @@ def test_a_closed_slice_holds_the_lung_pressure_below_its_lowest_contact_and_pas
     assert (air.p_aero[1:-1, 6:] == P_S).all() and (air.p_aero[1:-1, :6] == 0).all()
 
 
-def test_contact_presses_back_only_where_the_fold_crosses_the_medial_plane():
+def test_contact_acts_only_where_the_fold_crosses_the_medial_plane():
     fold = FoldTwin(**MODAL)
     overlap = np.where(np.arange(fold.ny) % 2, 1e-4, -1e-4)
     w_m = fold.medial[1:-1] + overlap
@@ -122,7 +122,7 @@ def test_forces_at_the_nodes_are_those_of_the_energies_between_them(shear, gradi
         assert got == pytest.approx(want, rel=1e-9, abs=1e-9 * np.abs(want).max())
 
 
-def test_the_coupling_is_stiffest_at_the_edge_that_its_name_says():
+def test_the_coupling_is_stiffest_at_the_edge_that_it_is_named_after():
     inferior, superior = FoldTwin(**MODAL), FoldTwin(**MODAL, coupling_gradient="superior_stiff")
     assert (inferior.K_coup[-1], inferior.K_coup[0]) == pytest.approx((5e5, 5e4))
     assert (superior.K_coup[-1], superior.K_coup[0]) == pytest.approx((5e4, 5e5))
@@ -205,7 +205,7 @@ def test_a_scheme_converges_to_the_adaptive_integrator_at_its_order(scheme, orde
     for split in (8, 16):
         dt = STEP / split
         state = start
-        if scheme == "leapfrog":  # its velocity is that of half a step before
+        if scheme == "leapfrog":  # its velocity is at the previous half step
             a_m, a_b, a_phi = fold.acceleration(start, 0.0)
             state = start._replace(v_m=-dt / 2 * a_m, v_b=-dt / 2 * a_b, v_phi=-dt / 2 * a_phi)
         record = fold.run(state, 0.0, dt, 112 * split, scheme)
@@ -249,7 +249,7 @@ def modal_measures(dt, scheme):
 def test_the_modal_case_has_the_frequency_closure_and_flow_of_two_earlier_prototypes(dt, scheme):
     f_o, closed_quotient, mean_flow = modal_measures(dt, scheme)
     assert f_o == pytest.approx(149.6, abs=0.1)
-    half_a_sample = 0.5 * dt * f_o  # closed samples are counted, and a voice may open at the same part of a step always
+    half_a_sample = 0.5 * dt * f_o  # closed samples are counted, and every cycle may open at the same part of a step
     assert closed_quotient == pytest.approx(0.506, abs=max(0.001, half_a_sample))
     assert mean_flow == pytest.approx(1.29e-3, abs=0.005e-3)
 

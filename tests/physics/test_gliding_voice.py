@@ -1,4 +1,4 @@
-"""A voice whose muscles move: nothing changes when nothing moves, no seam when something does, the pitch follows."""
+"""A voice whose muscles move: equal to a simulation when nothing moves, no discontinuity, pitch follows CT."""
 
 import numpy as np
 import pytest
@@ -26,13 +26,13 @@ def rising():
     return glide(1.6, ct=[[0.3, 0.1], [1.3, 0.9]])
 
 
-def test_a_still_gesture_is_the_simulation():
+def test_a_constant_gesture_equals_the_simulation():
     still, plain = glide(0.3), vfcore.simulate(vfcore.Simulation(run=vfcore.Run(duration_s=0.3)))
     for name in ("glottal_area_m2", "glottal_flow_m3_s", "contact_pressure_max_pa"):
         assert np.array_equal(still.waves[name], plain.arrays[name]), name
 
 
-def test_the_tract_in_blocks_is_the_tract_at_once(rising):
+def test_the_tract_in_blocks_equals_the_tract_over_the_whole_flow(rising):
     whole = radiate(rising.waves["glottal_flow_m3_s"], 1 / RATE_HZ, vowel_tract("a"))
     for name, expected in (
         ("radiated_pressure_pa", whole.lip_pressure_pa),
@@ -41,7 +41,7 @@ def test_the_tract_in_blocks_is_the_tract_at_once(rising):
         assert np.abs(rising.waves[name] - expected).max() < 3e-3 * np.abs(expected).max()
 
 
-def test_the_audio_in_blocks_is_the_audio_at_once(rising):
+def test_the_audio_in_blocks_equals_the_audio_of_the_whole_sound(rising):
     whole = resampled(rising.waves["radiated_pressure_pa"], RATE_HZ)
     late = rising.audio_delay_s * AUDIO_RATE_HZ
     at = np.arange(len(rising.audio_pa)) - late
@@ -50,7 +50,7 @@ def test_the_audio_in_blocks_is_the_audio_at_once(rising):
     assert np.abs(rising.audio_pa - expected)[inside].max() < 0.003 * np.abs(whole).max()
 
 
-def test_f_o_climbs_with_ct_and_ends_where_a_still_voice_stands(rising):
+def test_f_o_rises_with_ct_to_that_of_a_constant_voice(rising):
     fo, times = rising.contours["fo_hz"], rising.contours["time_s"]
     moving = (times > 0.35) & (times < 1.25)
     assert np.isfinite(fo[moving]).all()
@@ -59,7 +59,7 @@ def test_f_o_climbs_with_ct_and_ends_where_a_still_voice_stands(rising):
     assert fo[times > 1.45] == pytest.approx(alone.report.measures["fo_hz"].value, rel=2e-3)
 
 
-def test_each_stretch_between_breakpoints_is_measured(rising):
+def test_each_segment_between_breakpoints_is_measured(rising):
     first, second, last = rising.segments
     assert (first.end_s, second.end_s, last.end_s) == (0.3, 1.3, 1.6)
     assert first.report.state == last.report.state == "periodic"
@@ -67,8 +67,8 @@ def test_each_stretch_between_breakpoints_is_measured(rising):
     assert rise == pytest.approx(52, abs=3)
 
 
-def test_shorter_stretches_change_nothing_to_be_heard(monkeypatch):
-    """Even in the fastest glide the geometry moves smoothly enough: −38 dB during it, −60 dB after it."""
+def test_shorter_stretches_change_nothing_audible(monkeypatch):
+    """In the fastest glide the difference is at most −38 dB during the glide and −60 dB after it."""
     ct = [[0.2, 0.1], [0.25, 0.9]]
     sound = glide(0.4, ct=ct).waves["radiated_pressure_pa"]
     monkeypatch.setattr(vfcore.runs.gesture.glide, "STRETCH_STEPS", 2)
@@ -87,8 +87,8 @@ def test_a_new_vowel_makes_no_click():
     assert step[at - 10 : at + BLOCK_STEPS + 10].max() < 1.5 * max(step[at // 2 : at].max(), step[at * 3 // 2 :].max())
 
 
-def test_a_hand_that_jumps_makes_no_click():
-    """The jump moves the sound no more steeply than a slow glide over the same range does by itself."""
+def test_a_jump_of_a_parameter_makes_no_click():
+    """The sound after the jump is no steeper than in a slow glide over the same range."""
 
     def steepest(blocks_of_motion: int) -> float:
         voice, sound = Voice(vfcore.Simulation(activation=vfcore.Activation(ct=0.1))), []
@@ -116,7 +116,7 @@ def test_the_voice_stops_and_starts_as_the_pressure_does():
     assert np.isfinite(fo[times > 1.1]).all()
 
 
-def test_what_cannot_move_is_refused():
+def test_parameters_that_cannot_move_are_refused():
     voice = Voice(vfcore.Simulation())
     with pytest.raises(ParameterError, match="cannot change while the voice goes on"):
         voice.advance(vfcore.Simulation(model=vfcore.Model(variant="text_literal")))
@@ -124,7 +124,7 @@ def test_what_cannot_move_is_refused():
         Voice(vfcore.Simulation(run=vfcore.Run(ny=40)))
 
 
-def test_a_divergence_says_when():
+def test_a_divergence_has_its_time():
     voice = Voice(vfcore.Simulation())
     voice._gliding._buffer[:] *= np.nan
     with pytest.raises(DivergenceError, match="t = 10.000 ms"):

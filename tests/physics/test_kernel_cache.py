@@ -1,8 +1,13 @@
-"""Compiled code is kept apart by what it was compiled from and how."""
+"""The kernel cache: separate for each set of sources and options, and shared between processes."""
 
 import os
 import subprocess
 import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
 
 ASK = "import numba, vfcore.kernels.jit; print(numba.config.CACHE_DIR)"
 
@@ -23,5 +28,26 @@ def test_a_bounds_checked_run_does_not_load_unchecked_code(tmp_path):
     assert cache_folder(tmp_path) == plain
 
 
-def test_a_cache_folder_given_by_the_user_is_kept(tmp_path):
+def test_a_cache_folder_set_by_the_user_is_used(tmp_path):
     assert cache_folder(tmp_path, NUMBA_CACHE_DIR=str(tmp_path / "mine")) == str(tmp_path / "mine")
+
+
+COMPILE = """
+from tests.physics.test_kernel_glide import test_a_glide_equals_its_stretches
+from vfcore.kernels.fold import step_kernel
+from vfcore.kernels.glide import glide_kernel
+from vfcore.kernels.reassemble import reassemble_kernel
+test_a_glide_equals_its_stretches()
+kernels = [make(8, 4, False) for make in (step_kernel, glide_kernel, reassemble_kernel)]
+print([sum(kernel.stats.cache_misses.values()) for kernel in kernels])
+"""
+
+
+@pytest.mark.skipif(os.environ.get("NUMBA_DISABLE_JIT") == "1", reason="nothing is compiled")
+def test_a_second_process_loads_what_the_first_has_compiled():
+    """A function among the closure variables of a kernel would give it another cache key in every process."""
+    for _ in range(2):
+        done = subprocess.run(
+            [sys.executable, "-c", COMPILE], capture_output=True, text=True, check=True, timeout=300, cwd=ROOT
+        )
+    assert done.stdout.strip() == "[0, 0, 0]"

@@ -1,4 +1,4 @@
-"""Störmer's displacement on one mode: how far its frequency is off, and what it loses without a damper."""
+"""Störmer's displacement on one mode: its frequency error, and its loss without a damper."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ pytestmark = pytest.mark.kernel
 
 
 def mode(h: float) -> complex:
-    """The factor by which a mode of 1 rad/s moves on in a step of ``h``, from the step's linear map."""
+    """Complex growth factor of a mode of 1 rad/s per step of ``h``, an eigenvalue of the linear map of the step."""
 
     def step(w, v, v_star):
         dv = -h * w
@@ -20,14 +20,14 @@ def mode(h: float) -> complex:
 
 
 @pytest.mark.parametrize("h", [0.02, 0.05, 0.1])
-def test_a_mode_keeps_its_frequency_to_fourth_order(h):
+def test_the_frequency_error_is_of_fourth_order(h):
     assert np.angle(mode(h)) / h - 1 == pytest.approx(0.0229 * h**4, rel=0.02)
 
 
 @pytest.mark.parametrize("h", [0.02, 0.05, 0.1])
-def test_a_mode_without_damper_loses_a_twenty_fourth_of_the_cube_each_radian(h):
+def test_an_undamped_mode_loses_a_twenty_fourth_of_the_cube_per_radian(h):
     assert -np.log(np.abs(mode(h))) / h == pytest.approx(h**3 / 24, rel=0.01)
 
 
-def test_without_force_a_node_goes_straight_on():
+def test_without_force_the_velocity_is_constant():
     assert displaced(0.5, 2.0, 2.0, 0.1, 0.0, 0.1) == pytest.approx(0.7, rel=1e-15)

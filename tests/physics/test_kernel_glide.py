@@ -1,13 +1,13 @@
-"""The compiled glide against its twin: the same straight lines, stretch by stretch in Python."""
+"""The compiled glide against its twin: the same linear interpolation, stretch by stretch in Python."""
 
 import numpy as np
 import pytest
 
 from vfcore.fold import assemble
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.fold import step_kernel
 from vfcore.kernels.layout import RECORD
-from vfcore.runs.gesture.glide import STRETCH_STEPS, GlidingFold, Goal
+from vfcore.runs.gesture.glide import STRETCH_STEPS, FoldSpec, GlidingFold
 from vfcore.runs.one import fold_of, posture_of
 from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Run, Simulation
 
@@ -15,18 +15,18 @@ pytestmark = pytest.mark.kernel
 STEPS, LOOK = 45, 20
 
 
-def goal(ct: float) -> Goal:
+def spec(ct: float) -> FoldSpec:
     request = Simulation(activation=Activation(ct=ct), run=Run(nx=8, ny=4))
-    return Goal(request, posture_of(request))
+    return FoldSpec(request, posture_of(request))
 
 
-def started(ct: float) -> March:
-    march = March(fold_of(*goal(ct)), DEFAULT_STEP_S, 800.0)
+def started(ct: float) -> TimeMarch:
+    march = TimeMarch(fold_of(*spec(ct)), DEFAULT_STEP_S, 800.0)
     march.start_flat()
     return march
 
 
-def twin(march: March, to: assemble.Fold, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def twin(march: TimeMarch, to: assemble.Fold, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Record (STEPS, 7) and the membrane after LOOK steps."""
     here, there = (assemble.new_buffer(fold, DEFAULT_STEP_S) for fold in (march.fold, to))
     moves, par = here != there, assemble.scalars(to, DEFAULT_STEP_S)
@@ -42,14 +42,14 @@ def twin(march: March, to: assemble.Fold, pressure: np.ndarray) -> tuple[np.ndar
     return record, seen
 
 
-def test_a_glide_is_its_stretches():
-    """Tolerance 1e-11 of each column's largest: rounding of 45 steps from a bump of 1 nm."""
-    to = goal(0.6)
-    gliding = GlidingFold(started(0.1), goal(0.1))
+def test_a_glide_equals_its_stretches():
+    """Tolerance 1e-11 of the largest value of each column: rounding of 45 steps from a bump of 1 nm."""
+    to = spec(0.6)
+    gliding = GlidingFold(started(0.1), spec(0.1))
     record = gliding.advance(to, 1200.0, STEPS, LOOK)
     wanted, seen = twin(started(0.1), fold_of(*to), np.linspace(800.0, 1200.0, STEPS, endpoint=False))
     scale = np.abs(wanted).max(axis=0) + 1e-300
     np.testing.assert_allclose(record / scale, wanted / scale, rtol=0, atol=1e-11)
     np.testing.assert_allclose(gliding.seen[0], seen, rtol=0, atol=1e-11 * np.abs(seen).max())
     still = gliding.advance(to, 1200.0, STEPS)
-    assert (still[:, RECORD.index("glottal_flow_m3_s")] > 0).all(), "and the fold it has reached goes on"
+    assert (still[:, RECORD.index("glottal_flow_m3_s")] > 0).all(), "and the fold continues after the glide"

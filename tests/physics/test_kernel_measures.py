@@ -1,4 +1,4 @@
-"""The compiled loops of the measures against their twins, which are vectorised over samples."""
+"""The compiled loops of the measures against their numpy twins."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ def rng(seed):
 
 
 def glottis(kind: str) -> tuple[np.ndarray, np.ndarray]:
-    """An area wave and bounds of its cycles, cut where a voice would be and, for ``anywhere``, where it would not."""
+    """An area wave and bounds of its cycles, at the minima or, with ``anywhere``, at random samples."""
     t = np.arange(1500)
     phase = t / 61.3 + 0.02 * np.sin(t / 300.0)
     pulse = np.sin(2 * np.pi * phase)
@@ -44,7 +44,7 @@ def largest_of(wave, bounds):
 
 @pytest.mark.parametrize("kind", ["closing", "abrupt", "clipped", "open", "leaking", "twice", "noise", "anywhere"])
 def test_open_phases_are_those_of_the_twin(kind):
-    """Tolerance 1e-11 of a sample, of instants of some 10³ samples: rounding."""
+    """Tolerance 1e-11 of a sample: rounding of times of about 10³ samples."""
     area, bounds = glottis(kind)
     largest_at = np.empty(len(bounds) - 1, dtype=np.int64)
     cycles.first_reached(area, bounds, largest_of(area, bounds), largest_at)
@@ -85,7 +85,7 @@ def test_minima_apart_from_each_other_are_those_of_the_twin(count, distance):
 
 @pytest.mark.parametrize("count", [16, 61, 300])
 def test_repetition_and_its_maxima_are_those_of_the_twin(count):
-    """Tolerance 1e-12: rounding of sums of a few hundred products, some of them kept by subtraction."""
+    """Tolerance 1e-12: rounding of sums of a few hundred products, some updated by subtraction."""
     wave = np.sin(np.arange(count) / 0.7) + 0.3 * rng(count).normal(size=count)
     x = wave - wave.mean()
     values = np.array([(x[: count - lag] * x[lag:]).sum() for lag in range(count // 2 + 2)])
@@ -99,7 +99,7 @@ def test_repetition_and_its_maxima_are_those_of_the_twin(count):
         np.testing.assert_allclose((lags[:found], heights[:found]), right, rtol=0, atol=1e-12)
 
 
-def test_of_a_flat_top_the_first_sample_is_the_maximum():
+def test_the_maximum_of_a_flat_top_is_its_first_sample():
     lags, heights = np.empty((2, 4))
     assert maxima(np.array([1.0, 0.0, 0.5, 0.5, 0.2, 0.0]), 1, 4, 0.1, lags, heights) == 1
     assert (lags[0], heights[0]) == (2.5, 0.5625)
@@ -148,7 +148,7 @@ def test_the_power_is_relative_to_each_frame_and_has_a_floor():
     assert (power == 0.05).any()
 
 
-def test_a_silent_frame_is_told():
+def test_a_silent_frame_is_reported():
     spectrum = np.ones((3, 4), complex)
     spectrum[1] = 0.0
     assert not relative_power(spectrum, 1e-14, np.empty((3, 4)))

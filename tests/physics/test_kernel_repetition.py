@@ -1,4 +1,4 @@
-"""The period sought as a plain sum against the same law by transforms."""
+"""The period by direct sums against the same by FFTs."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def period(values: np.ndarray, rise: float) -> float:
     return first_period(values, 2, rise, LEAST, NEARLY, *np.empty((2, len(values) // 2 + 1)))
 
 
-def test_likeness_and_period_are_those_of_the_transform():
+def test_likeness_and_period_are_those_of_the_fft():
     """Tolerance 1e-12: rounding of sums of a few hundred products."""
     rng, found = np.random.default_rng(4), []
     for count in (4, 30, 61, 150, 211):
@@ -35,10 +35,10 @@ def test_likeness_and_period_are_those_of_the_transform():
             lag = period(values, PEAK_RISE)
             assert lag == pytest.approx(twin(wave, 2), rel=1e-12, nan_ok=True)
             found.append(np.isnan(lag))
-    assert 2 < sum(found) < len(found) - 2, "some have a period and some have none"
+    assert 2 < sum(found) < len(found) - 2, "the cases must include waves with and without a period"
 
 
-def test_a_wave_that_does_not_change_is_like_nothing():
+def test_a_constant_wave_has_no_likeness_and_no_period():
     values = np.empty(12)
     likeness(np.full(20, 3.0), np.empty(20), values)
     assert not values.any()

@@ -1,4 +1,4 @@
-"""The running convolution against its twin, block by block."""
+"""The convolution in blocks against its twin."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ pytestmark = pytest.mark.kernel
 
 
 @pytest.mark.parametrize("n, taps", [(350, 1700), (7, 3), (6, 40), (5, 1)])
-def test_joined_blocks_are_the_convolution_of_the_whole(n, taps):
+def test_joined_blocks_equal_the_convolution_of_the_whole(n, taps):
     chance = np.random.default_rng(1)
     signal, response = chance.normal(size=6 * n), chance.normal(size=taps)
     memory, out = np.zeros(taps - 1 + n), np.empty((6, n))

@@ -1,4 +1,4 @@
-"""The pressure fields drawn on the medial surface are those that drive the step: against the twin, state by state."""
+"""The pressure fields on the medial surface are those that drive the step: against the twin, state by state."""
 
 import numpy as np
 import pytest
@@ -10,13 +10,24 @@ P_S = 1000.0
 
 
 def fields(fold, w_m, v_m, pressure_pa=P_S):
-    """p_aero and p_col (nx, ny) of a twin state (nx, ny), as the product draws them."""
+    """p_aero and p_col (nx, ny) of a twin state (nx, ny)."""
     k = fold.constants
     p_aero, p_col = np.full((2, fold.ny, fold.nx), np.nan)
     surface_pressures(
-        np.ascontiguousarray(w_m.T), np.ascontiguousarray(v_m.T), fold.medial_plane_m, pressure_pa, 0.0, fold.dy,
-        k.alpha_s, 0.5 * k.rho_a_kg_m3, 12.0 * k.mu_a_pa_s, k.K_col_pa_m, k.C_col_pa_s_m, p_aero, p_col,
-    )  # fmt: skip
+        np.ascontiguousarray(w_m.T),
+        np.ascontiguousarray(v_m.T),
+        fold.medial_plane_m,
+        pressure_pa,
+        0.0,
+        fold.dy,
+        k.alpha_s,
+        0.5 * k.rho_a_kg_m3,
+        12.0 * k.mu_a_pa_s,
+        k.K_col_pa_m,
+        k.C_col_pa_s_m,
+        p_aero,
+        p_col,
+    )
     return p_aero.T, p_col.T
 
 

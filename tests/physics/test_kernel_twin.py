@@ -1,4 +1,4 @@
-"""The compiled step against the slow twin: the same scheme and step must give the same numbers.
+"""The compiled step against the twin: the same scheme and step must give the same numbers.
 
 Voices of 20 ms through onset, flow and contact, over postures, variants and grids.
 """
@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, advance, get_state, product_and_twin, put_state
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
@@ -35,7 +35,7 @@ def name_of(case):
 
 
 def closing_state(twin):
-    """Half of the fold moving into contact, the other half open: every branch within a few steps."""
+    """One half of the fold moves into contact, the other is open: all branches within a few steps."""
     x = twin.x[1:-1] / twin.k.L
     wave = (np.sin(3 * np.pi * x) + 0.3 * x)[:, None] * np.linspace(0.6, 1.2, twin.ny)
     w_m = twin.medial[1:-1] * 0.5 + 2e-4 * wave
@@ -43,7 +43,7 @@ def closing_state(twin):
 
 
 def compare(fold, twin, start, pressure_pa, steps, dt=DEFAULT_STEP_S):
-    march = March(fold, dt, pressure_pa)
+    march = TimeMarch(fold, dt, pressure_pa)
     put_state(march, start)
     record = advance(march, steps)
     reference = twin.run(start, pressure_pa, dt, steps, keep_every=1)
@@ -59,7 +59,7 @@ def same_record(record, reference, twin):
     scale = max(1e-6, reference.A_g_min.max())
     assert np.abs(column["glottal_area_m2"] - reference.A_g_min).max() < 1e-10 * scale
     assert np.abs(column["glottal_flow_m3_s"] - reference.Q_g).max() < 1e-9 * max(1e-6, reference.Q_g.max())
-    peak = np.maximum(reference.p_col_max, 0.0)  # the record keeps pushes only
+    peak = np.maximum(reference.p_col_max, 0.0)  # the record has pushes only
     assert np.abs(column["contact_pressure_max_pa"] - peak).max() < 1e-9 * max(1.0, peak.max())
     pushed = peak > 1e-6
     assert np.isnan(column["contact_column"][reference.p_col_max <= 0]).all()
@@ -82,7 +82,7 @@ def test_twenty_milliseconds_of_voice_equal_the_twin(case):
 @pytest.mark.kernel
 @pytest.mark.parametrize(("ny", "shear"), [(6, "kelvin_voigt"), (7, "kelvin_voigt"), (6, "rotation")])
 def test_a_few_steps_through_contact_and_flow_equal_the_twin(ny, shear):
-    """An even and an odd number of rows: the gaps are taken in pairs of rows."""
+    """An even and an odd number of rows, because the gaps are computed in pairs of rows."""
     fold, twin = product_and_twin(**MODAL, nx=12, ny=ny, shear=shear)
     record = compare(fold, twin, closing_state(twin), 800.0, 40)
     assert record[:, RECORD.index("contact_pressure_max_pa")].max() > 100
@@ -90,11 +90,11 @@ def test_a_few_steps_through_contact_and_flow_equal_the_twin(ny, shear):
 
 
 @pytest.mark.kernel
-def test_a_shorter_step_and_a_sparser_record_are_the_same_motion():
+def test_a_sparse_record_of_a_short_step_is_the_same_motion():
     fold, twin = product_and_twin(**MODAL, nx=12, ny=6)
     start, dt = closing_state(twin), DEFAULT_STEP_S / 4
     reference = twin.run(start, 800.0, dt, 40)
-    march = March(fold, dt, 800.0)
+    march = TimeMarch(fold, dt, 800.0)
     put_state(march, start)
     record = march.run(10)
     assert march.record_every == 4
@@ -106,7 +106,7 @@ def test_a_shorter_step_and_a_sparser_record_are_the_same_motion():
 def test_a_rising_lung_pressure_equals_the_twin_under_the_same_ramp():
     fold, twin = product_and_twin(**MODAL)
     rise = 0.010
-    march = March(fold, DEFAULT_STEP_S, 1000.0, rise)
+    march = TimeMarch(fold, DEFAULT_STEP_S, 1000.0, rise)
     march.start_flat()
     advance(march, 700)
     reference = twin.run(twin.initial_state(), lambda t: 1000.0 * min(t / rise, 1.0), DEFAULT_STEP_S, 700)

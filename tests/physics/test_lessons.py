@@ -1,4 +1,4 @@
-"""The page's lessons say what the model does: every step is run and every sentence's number checked."""
+"""The lessons of the page against the model: every step is run, and the number of every sentence is checked."""
 
 import json
 from functools import cache
@@ -27,7 +27,7 @@ STEPS = [(row["key"], k) for row in INDEX for k in range(row["steps"])]
 
 @cache
 def outcome(key: str, step: int):
-    """The run of one step: the default voice with what the step sets."""
+    """The run of one step: the default voice with the settings of the step."""
     request: dict = {"kind": "simulation", "run": {"duration_s": 0.5}}
     for path, value in lesson(key)["steps"][step]["set"].items():
         *way, leaf = path.split(".")
@@ -91,14 +91,14 @@ def resonance(vowel: str, number: int) -> float:
 
 
 def least_width_mm(result, level: float) -> float:
-    """Smallest width of the glottis in the cycle at a share of the length, anterior 0."""
+    """Smallest width of the glottis in the cycle at a fraction of the length, anterior 0."""
     nearest = (result.arrays["medial_plane_m"] - result.arrays["cycle_w_m"]).min(axis=2)
     narrow = 2e3 * np.maximum(nearest, 0).min(axis=0)
     return float(np.interp(level, np.linspace(0, 1, narrow.size), narrow))
 
 
 def inferior_lead(result) -> float:
-    """Share of the cycle by which the lower edge is ahead of the upper at mid-length (their best match in time)."""
+    """Fraction of the cycle by which the lower edge leads the upper at mid-length (lag of their best match)."""
     w = result.arrays["cycle_w_m"]
     upper, lower = (w[:, w.shape[1] // 2, row] - w[:, w.shape[1] // 2, row].mean() for row in (0, -1))
     match = [np.dot(np.roll(lower, shift), upper) for shift in range(len(w))]

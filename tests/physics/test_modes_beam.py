@@ -1,4 +1,4 @@
-"""The beam alone, in the limits that textbooks solve: string, hinged, clamped, and in between.
+"""The beam alone against textbook solutions: string, hinged, clamped and elastic ends.
 
 Roots of Euler–Bernoulli beams: Rao, Mechanical Vibrations, table of beam boundary conditions.
 """
@@ -57,7 +57,7 @@ def test_stiff_ends_clamp_the_beam():
 
 
 @pytest.mark.parametrize("stiff_end", ["K_r_a_n_m", "K_r_p_n_m"])
-def test_one_stiff_end_clamps_that_end_only(stiff_end):
+def test_one_stiff_spring_clamps_its_end_only(stiff_end):
     c = bending_only(1e-9)
     found = frequencies(81, c, **(FREE_ENDS | {stiff_end: 10.0}))[:3]
     assert found == pytest.approx(of_roots(CLAMPED_HINGED_ROOTS, c), rel=4e-3)
@@ -94,7 +94,7 @@ def test_end_moments_bend_a_hinged_beam_without_tension_into_a_parabola():
     assert np.linalg.solve(-matrix, load) == pytest.approx(exact, rel=1e-9)
 
 
-def test_the_anterior_spring_turns_the_beam_towards_the_rest_angle_only_at_its_own_end():
+def test_the_anterior_spring_acts_at_the_anterior_end_only():
     """At θ_g = θ_0 without prestress nothing loads the beam; a wider glottis turns the anterior end outwards."""
     calm = replace(POSED, prestress_moment_n_m=0.0)
     constants = FoldConstants()

@@ -1,4 +1,4 @@
-"""The step rings as the eigenvectors of its own operators say: no air, no dampers, nothing touching.
+"""Free vibration of the step against the eigenvectors of the system: no air, no dampers, no contact.
 
 The operators come from the twin's energies, not from the product. The fold is held wide open, starts in
 its equilibrium plus a few modes, and each modal coordinate must be a cosine at its own frequency.
@@ -18,7 +18,7 @@ from tests.support.fold_harness import (
     product_and_twin,
     put_state,
 )
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.spec.simulation import PAPER_STEP_S
 
@@ -37,7 +37,7 @@ def ring(fold, twin, chosen, dt, steps, every):
     """Modal coordinates (samples, modes) of a march that starts with amplitude 1 in each of ``chosen``."""
     rest, _, shapes = modes_of(twin)
     start = twin.unpack(rest + shapes[:, chosen].sum(axis=1), 0.0 * rest)
-    march = March(fold, dt, 0.0)
+    march = TimeMarch(fold, dt, 0.0)
     put_state(march, half_step_back(twin, start, dt))
     mass = np.diag(twin.linear_operators().M)
     weights = shapes * mass[:, None]
@@ -60,7 +60,7 @@ def test_each_mode_is_a_cosine_at_its_own_frequency(posture, shear):
     coordinates = ring(fold, twin, chosen, dt, steps, every)
     omega = np.sqrt(modes_of(twin)[1][chosen])
     time = np.arange(len(coordinates)) * dt * every
-    # The trapezoidal beam delays and the explicit membrane hastens a phase by at most (ω dt)²/12 · ω t.
+    # The trapezoidal beam delays and the explicit membrane advances a phase by at most (ω dt)²/12 · ω t.
     phase_error = (omega * dt) ** 2 / 12 * omega * time[-1]
     assert phase_error.max() < 0.02
     away = np.abs(coordinates[:, chosen] - np.cos(np.outer(time, omega))).max(axis=0)
@@ -70,8 +70,8 @@ def test_each_mode_is_a_cosine_at_its_own_frequency(posture, shear):
 
 
 @pytest.mark.parametrize("shear", SHEARS)
-def test_the_lowest_frequencies_are_read_from_the_ring_to_a_part_in_ten_thousand(shear):
-    """On the paper's own grid, from the phase that each mode has gathered after 40 ms."""
+def test_the_lowest_frequencies_are_exact_to_a_part_in_ten_thousand(shear):
+    """On the paper's grid, from the phase of each mode after 40 ms."""
     fold, twin = product_and_twin(**WIDE_OPEN, shear=shear, **NO_DAMPERS)
     chosen, dt, every = np.arange(6), PAPER_STEP_S, 16
     coordinates = ring(fold, twin, chosen, dt, round(40e-3 / dt / every) * every, every)[:, chosen]

@@ -1,4 +1,4 @@
-"""The compiled equations and their Jacobian against the naive twin, state by state."""
+"""The compiled equations and their Jacobian against the twin, state by state."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from vfcore.kernels.posture_equations import equilibrium
 from vfcore.larynx.posture.packing import MUSCLE_ORDER, load_scale, pack
 from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
 
-SPREAD = np.array([3e-3, 3e-3, 0.3, 0.08, 0.2])  # every stiffness law passes its limit, a third of the states collide
+SPREAD = np.array([3e-3, 3e-3, 0.3, 0.08, 0.2])  # every stiffness law exceeds its limit; a third of the states collide
 
 
 def states(n, seed):
@@ -34,7 +34,7 @@ def test_residuals_equal_the_naive_equations(name):
         assert xi_02 == pytest.approx(twin.vocal_process_x(c, u[0], u[2]), abs=1e-15)
         assert strain == pytest.approx(twin.strains(c, u)["ta"], abs=1e-14)
         collisions += xi_02 < 0
-    assert 20 < collisions < 280, "the sample must hold states with and without collision"
+    assert 20 < collisions < 280, "the sample must have states with and without collision"
 
 
 @pytest.mark.parametrize("name", POSTURE_SETS)

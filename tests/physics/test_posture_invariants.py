@@ -1,4 +1,4 @@
-"""What each muscle does, asserted where it holds.
+"""The effect of each muscle on the posture, for the range in which it holds.
 
 Everywhere, in all four sets: CT lengthens; TA turns the vocal process inward, PCA outward; IA draws the arytenoid
 medially *and* turns it outward (its arm γ is negative), so its net effect has either sign. From none to full
@@ -33,7 +33,7 @@ quick = settings(max_examples=3 if UNCOMPILED else 60, deadline=None)
 
 
 def sweep(name, others, muscle, low=0.0, high=1.0, points=11):
-    """Postures as one muscle rises from low to high, the other four held."""
+    """Postures as one muscle rises from low to high with the other four constant."""
     line = np.tile(np.asarray(others, dtype=float), (points, 1))
     line[:, MUSCLE_ORDER.index(muscle)] = np.linspace(low, high, points)
     return solve_posture_batch(line, posture_set(name))
@@ -97,7 +97,7 @@ def test_lca_narrows_and_pca_widens_short_of_full_abduction(name, muscle, sign, 
 @every_set
 @quick
 @given(activation)
-def test_each_muscle_turns_the_arytenoid_its_way(name, others):
+def test_each_muscle_turns_the_arytenoid_in_its_direction(name, others):
     assert (np.diff(sweep(name, others, "ta").unknowns[:, THETA]) > 0).all()
     assert (np.diff(sweep(name, others, "pca").unknowns[:, THETA]) < 0).all()
     ia = sweep(name, others, "ia").unknowns

@@ -1,4 +1,4 @@
-"""A root everywhere, the same root however it is asked for, moving without jumps, or a sentence."""
+"""Roots of the posturing equations: found everywhere, unique, continuous, or refused with a reason."""
 
 import os
 
@@ -55,7 +55,7 @@ def test_root_equals_the_twin_continued_in_small_steps(name):
 
 
 @pytest.mark.parametrize("name", POSTURE_SETS)
-def test_poor_starts_end_at_the_same_root_or_at_none(name):
+def test_other_starting_points_lead_to_the_same_root_or_to_none(name):
     """A general root finder often stalls far from the root; where its residual is small, it agrees."""
     c = posture_set(name)
     scale = load_scale(*pack(c))
@@ -65,7 +65,7 @@ def test_poor_starts_end_at_the_same_root_or_at_none(name):
         u = solve_posture_batch([a], c).unknowns[0]
         for z in generator.uniform(-1, 1, (25, 5)) * [5, 5, 7, 3, 6]:
             load = named(a)
-            with np.errstate(all="ignore"):  # wild trial steps overflow the exponentials
+            with np.errstate(all="ignore"):  # bad trial steps overflow the exponentials
                 found = root(lambda z, load=load: twin.residual(c, z * twin.UNKNOWN_SCALE, load) / scale, z)
             if np.max(np.abs(found.fun)) < 1e-9:
                 reached += 1
@@ -74,8 +74,8 @@ def test_poor_starts_end_at_the_same_root_or_at_none(name):
 
 
 @pytest.mark.parametrize("name", POSTURE_SETS)
-def test_posture_moves_without_jumps_along_segments(name):
-    """A jump keeps its height under refinement; a steep place gives way to it."""
+def test_the_posture_is_continuous_along_segments(name):
+    """Under refinement the height of a jump stays; that of a steep slope falls."""
     c = posture_set(name)
     generator = np.random.default_rng(5)
     t = np.linspace(0, 1, 200)[:, None]
@@ -94,7 +94,7 @@ def test_posture_moves_without_jumps_along_segments(name):
         assert np.abs(steps).max() < height / 16
 
 
-def test_answer_does_not_depend_on_what_was_asked_before():
+def test_the_result_does_not_depend_on_earlier_requests():
     c = posture_set("palaparthi2019")
     activations = np.random.default_rng(3).random((60, 5))
     together = solve_posture_batch(activations, c).unknowns
@@ -105,11 +105,11 @@ def test_answer_does_not_depend_on_what_was_asked_before():
 
 
 def fold_ahead():
-    """A fold so stiff in stretch that full CT with full IA has no equilibrium connected to rest."""
+    """A fold so stiff that full CT with full IA has no equilibrium connected to rest."""
     return posture_set("serry2026").override("TA_exponential_B", 40)
 
 
-def test_path_that_folds_is_refused_with_its_place():
+def test_a_folding_path_is_refused_with_its_position():
     with pytest.raises(PostureError) as caught:
         solve_posture(Activation(ta=0, ct=1, lca=0, ia=1, pca=0), fold_ahead())
     sentence = str(caught.value)
@@ -117,8 +117,8 @@ def test_path_that_folds_is_refused_with_its_place():
         assert part in sentence
 
 
-def test_path_that_folds_ends_at_a_turning_point():
-    """Four times the load short of a turning point is twice the movement short of it: the root is lost, not missed."""
+def test_a_folding_path_ends_at_a_turning_point():
+    """Near a turning point the distance in u is the root of that in load: the path ends there, no root was missed."""
     constants, direction = fold_ahead(), np.array([0.0, 1, 0, 1, 0])
     full = solve_posture_batch([direction], constants)
     assert not full.converged[0]

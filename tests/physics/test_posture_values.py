@@ -1,4 +1,4 @@
-"""Strain and half-angle against values reported for this model, to the three digits they are given with."""
+"""Strain and half-angle against values reported for this model, to the three digits reported."""
 
 import math
 
@@ -23,7 +23,7 @@ REPORTED = {
         ((0, 0, 0, 0, 0), -0.063, 0.248),
         ((1, 0, 0, 0, 0), -0.077, -0.005),
         ((0, 0, 0, 1, 0), 0.206, 0.189),
-        ((0, 0, 0, 0, 1), -0.369, 0.183),  # -0.36849 here and by the twin: 1.1e-5 more than rounding explains
+        ((0, 0, 0, 0, 1), -0.369, 0.183),  # -0.36849 here and in the twin: the difference exceeds rounding by 1.1e-5
     ],
 }
 CASES = [(name, *row) for name, rows in REPORTED.items() for row in rows]

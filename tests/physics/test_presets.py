@@ -1,4 +1,4 @@
-"""Each preset does what its one sentence tells people to look for."""
+"""Each preset does what its description says."""
 
 from functools import cache
 
@@ -27,14 +27,14 @@ def value(key: str, measure: str, variant: str = "paper") -> float:
     return run(key, variant).report.measures[measure].value
 
 
-def test_the_presets_people_ask_for_are_there():
+def test_the_expected_presets_exist():
     asked = {"modal", "breathy", "pressed", "bowed", "high_pitch", "ta_shortening", "pca_abduction", "no_phonation"}
     assert asked <= set(KEYS)
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
 @pytest.mark.parametrize("key", KEYS)
-def test_the_voices_vibrate_and_the_silent_ones_do_not(key, variant):
+def test_voiced_presets_vibrate_and_silent_ones_do_not(key, variant):
     assert run(key, variant).report.state == ("none" if key in SILENT else "periodic")
 
 

@@ -1,4 +1,4 @@
-"""The step gate refuses what grows and accepts what does not: read from the step itself, in and out of contact."""
+"""The stability bound against the growth of the step itself, with and without contact."""
 
 from dataclasses import replace
 
@@ -8,12 +8,12 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin, put_state
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import SAFETY, longest_stable_step_s
 from vfcore.fold.statics import static_shape_of
 
 POSTURES = [MODAL, {"strain": 0.23, "a_ta": 0.0, "theta_g": 0.018}, {"strain": -0.315, "a_ta": 1.0, "theta_g": 0.0}]
-#: Each makes another term lead: tension, contact spring, contact damper, coupling, foundation spring, its damper.
+#: Each makes another term dominant: tension, contact spring, contact damper, coupling, foundation spring, its damper.
 LEADING = [
     {"eta_m_pa_s": 1e-3, "C_coup_pa_s_m": 0.0, "C_col_pa_s_m": 0.0, "K_col_pa_m": 1e4},
     {"eta_m_pa_s": 0.0, "K_col_pa_m": 3e8},
@@ -29,7 +29,7 @@ def growth(fold, twin, dt, steps=1500):
     shape = static_shape_of(fold)
     phi = np.diff(shape.w_m, axis=0)[:, 1:-1].T / fold.dy if fold.rotation else twin.zero_state().phi
     rest = twin.zero_state()._replace(w_m=shape.w_m[:, 1:-1].T, w_b=shape.w_b[1:-1], phi=phi)
-    march = March(fold, dt, 0.0)
+    march = TimeMarch(fold, dt, 0.0)
     rough = 1e-12 * np.random.default_rng(0).standard_normal(rest.w_m.shape)
     put_state(march, rest._replace(w_m=rest.w_m + rough, w_b=rest.w_b + rough[:, 0]))
     largest = 0.0
@@ -53,7 +53,7 @@ def nowhere_in_contact(fold):
 @pytest.mark.parametrize("shear", SHEARS)
 @pytest.mark.parametrize("grid", [(20, 10), (12, 6)])
 @pytest.mark.parametrize("posture", POSTURES, ids=lambda posture: f"strain {posture['strain']}")
-def test_nothing_grows_up_to_the_limit_and_something_does_beyond(posture, grid, shear):
+def test_disturbances_do_not_grow_up_to_the_limit_and_grow_beyond_it(posture, grid, shear):
     fold, twin = product_and_twin(**posture, nx=grid[0], ny=grid[1], shear=shear)
     limit = longest_stable_step_s(fold)
     assert growth(everywhere_in_contact(fold), twin, limit) < 100
@@ -62,7 +62,7 @@ def test_nothing_grows_up_to_the_limit_and_something_does_beyond(posture, grid, 
 
 
 @pytest.mark.parametrize("constants", LEADING, ids=lambda constants: next(iter(constants)))
-def test_the_limit_holds_and_is_no_waste_whichever_term_leads(constants):
+def test_the_limit_is_safe_and_sharp_for_every_dominant_term(constants):
     fold, twin = product_and_twin(**MODAL, nx=12, ny=6, **constants)
     limit = longest_stable_step_s(fold)
     assert growth(everywhere_in_contact(fold), twin, limit) < 100
@@ -71,7 +71,7 @@ def test_the_limit_holds_and_is_no_waste_whichever_term_leads(constants):
 
 
 def spectral_radius(twin, dt, in_contact):
-    """Largest factor per step of the linear scheme, as one matrix on (q, v, last increment of v)."""
+    """Spectral radius of the linear scheme, as one matrix on (q, v, last increment of v)."""
     system, c = twin.linear_operators(), twin.constants
     mass, K, C = np.diag(system.M), system.K.copy(), system.C.copy()
     membrane = np.arange(twin.n * twin.ny)

@@ -1,4 +1,4 @@
-"""What the step gate says to a user: which step it takes by itself, which it refuses and how."""
+"""The choice of the time step: the default choice, and the refusal of too long a step."""
 
 import numpy as np
 import pytest
@@ -14,12 +14,12 @@ def fold_on(nx, ny):
     return prepare(Simulation(run=Run(nx=nx, ny=ny))).fold
 
 
-def test_the_products_own_step_is_five_tract_sections_on_the_papers_grid():
+def test_the_default_step_on_the_papers_grid_is_five_tract_sections():
     assert time_step_s(Run(), fold_on(20, 10)) == DEFAULT_STEP_S == 5 * (0.0025 / 350)
 
 
 @pytest.mark.parametrize(("nx", "ny"), [(20, 20), (20, 40), (80, 10), (30, 60)])
-def test_a_finer_grid_gets_the_longest_whole_part_of_the_default_step_that_is_stable(nx, ny):
+def test_a_finer_grid_gets_the_longest_stable_whole_fraction_of_the_default_step(nx, ny):
     fold = fold_on(nx, ny)
     limit = longest_stable_step_s(fold)
     parts = DEFAULT_STEP_S / time_step_s(Run(nx=nx, ny=ny), fold)
@@ -45,12 +45,12 @@ def test_the_limit_on_the_papers_grid_is_that_of_the_shear_damper():
     assert 0.8 * shear_alone < longest_stable_step_s(fold) < shear_alone
 
 
-def test_a_step_asked_for_is_taken_as_it_is():
+def test_a_requested_step_is_used_unchanged():
     assert time_step_s(Run(time_step_s=PAPER_STEP_S), fold_on(20, 10)) == PAPER_STEP_S
 
 
 @pytest.mark.parametrize(("nx", "ny"), [(20, 20), (20, 30), (20, 40), (80, 10), (30, 60)])
-def test_too_long_a_step_is_refused_before_anything_runs_with_the_field_and_a_step_that_works(nx, ny):
+def test_too_long_a_step_is_refused_with_the_field_and_a_step_that_works(nx, ny):
     request = Simulation(run=Run(nx=nx, ny=ny, duration_s=0.02, time_step_s=1e-4))
     with pytest.raises(StabilityError) as refusal:
         vfcore.simulate(request, progress=lambda fraction: pytest.fail("the run was started"))

@@ -1,11 +1,11 @@
-"""The direct static solve is the equilibrium: of the twin's relaxation, of the product's own damped motion."""
+"""The direct static solve against the relaxation of the twin and against damped motion of the step."""
 
 import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin
 from vfcore.fold.assemble import beam, membrane, with_constants
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import time_step_s
 from vfcore.fold.statics import static_shape_of
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run
@@ -39,11 +39,11 @@ def test_the_direct_solve_equals_the_twins_relaxation(posture, shear):
 
 
 @CASES
-def test_the_direct_solve_equals_the_products_own_damped_motion_from_flat(posture, shear):
+def test_the_direct_solve_equals_the_damped_motion_from_flat(posture, shear):
     fold, _ = product_and_twin(**posture, shear=shear)
     shape, heavy = static_shape_of(fold), with_constants(fold, C_coup_pa_s_m=150.0, C_foun_pa_s=40.0)
     step = time_step_s(Run(), heavy)
-    march = March(heavy, step, 0.0)
+    march = TimeMarch(heavy, step, 0.0)
     march.start_flat()
     advance(march, round(0.5 / step))
     length = fold.coefficients.length_m
@@ -53,7 +53,7 @@ def test_the_direct_solve_equals_the_products_own_damped_motion_from_flat(postur
 
 @CASES
 def test_every_force_balances_at_the_static_shape(posture, shear):
-    """Accelerations there against that of a 1 nm displacement of the slowest mode."""
+    """Accelerations at the static shape, relative to that of a 1 nm displacement of the slowest mode."""
     fold, twin = product_and_twin(**posture, shear=shear)
     shape = static_shape_of(fold)
     phi = np.diff(shape.w_m, axis=0)[:, 1:-1].T / fold.dy if shear == "rotation" else twin.zero_state().phi
@@ -68,7 +68,7 @@ def test_every_force_balances_at_the_static_shape(posture, shear):
 @pytest.mark.parametrize("name", ["modal, closed", "wide open", "bowed"])
 def test_a_run_from_the_static_shape_without_pressure_stays_there(name, shear):
     fold, _ = product_and_twin(**POSTURES[name], shear=shear)
-    shape, march = static_shape_of(fold), March(fold, DEFAULT_STEP_S, 0.0)
+    shape, march = static_shape_of(fold), TimeMarch(fold, DEFAULT_STEP_S, 0.0)
     march.start_static(shape)
     advance(march, 700)
     assert np.abs(membrane(march.buffer, fold) - shape.w_m).max() < 1e-12
@@ -76,7 +76,7 @@ def test_a_run_from_the_static_shape_without_pressure_stays_there(name, shear):
     assert np.abs(shape.w_m).max() > 1e-5
 
 
-def test_the_ends_are_held_and_the_shape_says_on_which_grid_it_stands():
+def test_the_ends_are_at_rest_and_the_shape_has_its_grid():
     fold, twin = product_and_twin(**MODAL)
     shape = static_shape_of(fold)
     assert shape.w_m.shape == shape.medial_m.shape == (10, 20)
@@ -85,7 +85,7 @@ def test_the_ends_are_held_and_the_shape_says_on_which_grid_it_stands():
     assert shape.medial_m == pytest.approx(twin.medial.T)
 
 
-def test_the_closure_is_read_from_the_smallest_gap_of_each_slice():
+def test_the_closure_is_that_of_the_smallest_gap_of_each_slice():
     fold, _ = product_and_twin(**POSTURES["wide open"])
     shape = static_shape_of(fold)
     gap = 2 * np.maximum(shape.medial_m - shape.w_m, 0).min(axis=0)

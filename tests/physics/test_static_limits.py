@@ -1,4 +1,4 @@
-"""Static shapes whose answer is known: nothing loads the fold, rigid coupling, no coupling, hard contact."""
+"""Static shapes with known solutions: no load, rigid coupling, no coupling, hard contact."""
 
 from dataclasses import replace
 
@@ -13,7 +13,7 @@ from vfcore.fold.statics import static_shape_of
 OPEN = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.4, "theta_conv": 0.2}
 
 
-def test_a_fold_that_nothing_loads_stays_flat():
+def test_a_fold_without_load_stays_flat():
     fold, _ = product_and_twin(**OPEN)
     shape = static_shape_of(replace(fold, beam_load_n_m=np.zeros(fold.nx - 2)))
     assert not shape.w_m.any() and not shape.w_b.any()

@@ -1,4 +1,4 @@
-"""Area functions: all eleven load with the published numbers, and resampling keeps the tract's shape."""
+"""Area functions: the eleven published vowels, and resampling that keeps the shape of the tract."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def test_every_vowel_loads_with_its_length_and_source(vowel):
     assert function.ipa
 
 
-def test_a_is_story_s_open_back_vowel_not_another():
+def test_a_is_the_open_back_vowel_of_story():
     areas = area_function("a").areas_m2
     assert area_function("a").ipa == "ɑ"
     assert areas[0] == pytest.approx(0.56e-4) and areas[-1] == pytest.approx(4.72e-4)
@@ -45,7 +45,7 @@ def test_resampling_keeps_length_volume_and_shape(vowel):
     assert min(new.areas_m2) >= min(old.areas_m2) and max(new.areas_m2) <= max(old.areas_m2)
 
 
-def test_resampling_a_gives_68_sections_and_says_so():
+def test_resampling_a_gives_68_sections():
     new = resampled(area_function("a"))
     assert len(new.areas_m2) == 68
     assert "68 sections of 0.25 cm" in new.source

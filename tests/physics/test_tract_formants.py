@@ -1,4 +1,4 @@
-"""Resonances with the glottis closed: check values, exact tubes, an independent calculation, eleven vowels."""
+"""Resonances with closed glottis: published values, exact tubes, an independent calculation, eleven vowels."""
 
 from functools import cache
 
@@ -37,7 +37,7 @@ def test_a_uniform_open_tube_has_odd_quarter_waves(attenuation):
     np.testing.assert_allclose(found.bandwidth_hz, decay_per_s / np.pi, rtol=0, atol=1e-6)
 
 
-def test_two_tubes_resonate_where_their_impedances_cancel():
+def test_two_tubes_resonate_at_zero_total_impedance():
     # glottal half 1 cm², oral half 7 cm², 8.75 cm each, lossless and open: tan² kl = A_oral/A_glottal
     tract = Tract([1e-4] * 35 + [7e-4] * 35, radiation="open", attenuation=0.0)
     first = 350 / (2 * np.pi * 0.0875) * np.arctan(np.sqrt(7))
@@ -76,19 +76,19 @@ def test_every_vowel_is_damped():
     assert all(np.abs(poles(vowel_tract(vowel))).max() < 1 for vowel in VOWELS)
 
 
-def test_vowels_stand_where_ears_expect_them():
+def test_vowels_have_the_expected_formants():
     """Qualitative: the vowel quadrilateral, and the bounds of a man's formants."""
     f1 = {vowel: formants(vowel)[0] for vowel in VOWELS}
     f2 = {vowel: formants(vowel)[1] for vowel in VOWELS}
     assert f1["i"] < 400 and f2["i"] > 1900
     assert f1["u"] < 400 and f2["u"] < 1100
     assert f1["a"] > 600 and f2["a"] < 1200
-    assert f1["i"] < f1["I"] < f1["e"] < f1["E"] < f1["AE"]  # jaw and tongue go down
-    assert f2["i"] > f2["I"] > f2["e"] > max(f2["E"], f2["AE"]) > f2["a"]  # tongue goes back
+    assert f1["i"] < f1["I"] < f1["e"] < f1["E"] < f1["AE"]  # jaw and tongue are lower
+    assert f2["i"] > f2["I"] > f2["e"] > max(f2["E"], f2["AE"]) > f2["a"]  # tongue is further back
     assert all(200 < f1[vowel] < 900 and f1[vowel] < f2[vowel] < 2600 for vowel in VOWELS)
     assert all(2000 < formants(vowel)[2] < 3500 for vowel in VOWELS)
 
 
-def test_asking_for_more_resonances_than_there_are_is_refused():
+def test_a_request_for_too_many_resonances_is_refused():
     with pytest.raises(ParameterError, match="resonances"):
         closed_glottis_formants(vowel_tract("a"), 400)

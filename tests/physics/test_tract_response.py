@@ -35,7 +35,7 @@ def test_equals_the_stepped_tube_over_a_run_longer_than_response_and_block(vowel
 
 
 def smooth(flow, step, half_width=6):
-    """Through a flow that is 0 before its start: a sinc in Kaiser's window over the samples on either side."""
+    """The flow, 0 before its start, interpolated by a sinc in a Kaiser window."""
     flow = np.concatenate([np.zeros(2 * half_width), flow, np.zeros(2 * half_width)])
 
     def at(instants):
@@ -77,7 +77,7 @@ def test_any_step_equals_the_tube_stepped_back_from_that_instant(ratio):
     flow = some_flow(9000)
     step = ratio * TRAVEL
     sound = radiate(flow, step, A)
-    # No further ahead than sound travels, less the two sections that the flow's rate looks ahead.
+    # No further ahead than sound travels, less the two sections used by the derivative of the flow.
     between = smooth(flow, step, min(6, int(66 / ratio) + 1))
     for m in (100, 2345, 8990):
         back = np.arange(-2, int((m + 9) * ratio))[::-1] * TRAVEL  # the tube's clock, to two sections beyond m
@@ -115,13 +115,13 @@ def test_response_is_the_chain_matrix_calculation():
     spectrum = np.array([np.sum(response * np.exp(-2j * np.pi * f * TRAVEL * steps)) for f in freqs])
     exact = chain_response(freqs, A.areas_m2, A.section_length_m, warped=True)
     assert np.abs(spectrum / exact - 1).max() < 1e-7
-    # and the bilinear transform does not matter where voices are heard
+    # and the bilinear transform does not matter at audible voice frequencies
     analogue = chain_response(freqs[:8], A.areas_m2, A.section_length_m)
     assert np.abs(20 * np.log10(np.abs(spectrum[:8] / analogue))).max() < 0.1
 
 
 @pytest.mark.parametrize("vowel", ["a", "i", "u"])
-def test_what_the_response_leaves_out_is_negligible(vowel):
+def test_the_truncation_of_the_response_is_negligible(vowel):
     tract = vowel_tract(vowel)
     kept = impulse_response(tract).lip_pressure_pa
     impulse = np.zeros(3 * kept.size)
@@ -139,7 +139,7 @@ def test_far_pressure_is_a_simple_source_driven_by_the_mouth_flow(step, relative
     steady = time > 0.3
     tone = np.exp(-2j * np.pi * frequency * time[steady]) * np.hanning(steady.sum())
     mouth, far = (np.sum(x[steady] * tone) for x in (sound.mouth_flow_m3_s, sound.far_pressure_pa))
-    assert FAR_DISTANCE_M == 0.3  # the clinic's 30 cm
+    assert FAR_DISTANCE_M == 0.3  # the clinical distance, 30 cm
     assert far / mouth == pytest.approx(1.14 / (4 * np.pi * 0.3) * 2j * np.pi * frequency, rel=relative)
 
 
@@ -158,7 +158,7 @@ def test_a_short_run_is_the_beginning_of_a_long_one():
         np.testing.assert_allclose(part, whole[:300], rtol=0, atol=1e-12 * np.abs(whole).max())
 
 
-def test_air_and_step_are_not_mixed_up_between_runs():
+def test_the_response_depends_on_air_and_step():
     flow = some_flow(3000)
     first = radiate(flow, DEFAULT_STEP_S, A).lip_pressure_pa.copy()
     lighter = radiate(flow, DEFAULT_STEP_S, vowel_tract("a", 0.57, 350.0)).lip_pressure_pa
@@ -168,8 +168,8 @@ def test_air_and_step_are_not_mixed_up_between_runs():
     assert np.array_equal(radiate(flow, DEFAULT_STEP_S, A).lip_pressure_pa, first)
 
 
-def test_several_flows_side_by_side_sound_as_each_alone():
-    """In double precision bit for bit; in single to some times its rounding, 6e-8 of the largest value."""
+def test_several_flows_in_one_call_sound_as_each_alone():
+    """Equal to the bit in double precision; within a few times rounding, 6e-8 of the largest value, in single."""
     flows = np.stack([some_flow(3000), some_flow(3000)[::-1], 2e-4 + 0.5 * some_flow(3000)])
     alone = [radiate(flow, DEFAULT_STEP_S, A, first=1000) for flow in flows]
     double = radiate_each(flows, DEFAULT_STEP_S, A, first=1000)

@@ -1,4 +1,4 @@
-"""The stepped tube: equal to its twin, passive, causal, and exact where the answer is known."""
+"""The stepped tube: equal to its twin, passive, causal, and exact where a solution is known."""
 
 import numpy as np
 import pytest
@@ -42,9 +42,18 @@ def test_wave_energy_never_grows_without_flow(areas, seed, attenuation):
         energies.append(tubes + stored)
         pressure, mouth = np.zeros(1), np.zeros(1)
         status = advance_tract(
-            silence, tract.transmission, tract.reflection, impedance[0], impedance[-1], tract.lip_reflection,
-            forward, backward, memory, pressure, mouth,
-        )  # fmt: skip
+            silence,
+            tract.transmission,
+            tract.reflection,
+            impedance[0],
+            impedance[-1],
+            tract.lip_reflection,
+            forward,
+            backward,
+            memory,
+            pressure,
+            mouth,
+        )
         assert status == FINITE
         integral += tract.section_travel_s / 2 * (pressure[0] + pressure_before)
         pressure_before = pressure[0]
@@ -67,7 +76,7 @@ def test_sound_leaves_after_exactly_the_tract_length():
     assert incident == pytest.approx(arriving, rel=1e-12)
 
 
-def test_steady_flow_passes_whole_and_leaves_no_pressure_at_the_lips():
+def test_a_steady_flow_is_unchanged_and_has_no_pressure_at_the_lips():
     tract = Tract([2e-4] * 20 + [9e-4] * 30, attenuation=0.0)  # a wide mouth: the onset dies out by radiation alone
     pressure, mouth = stepped(np.full(50_000, 2e-4), tract)
     assert np.abs(mouth[-1000:] / 2e-4 - 1).max() < 1e-6
@@ -86,7 +95,7 @@ def test_open_end_has_no_pressure_and_a_uniform_tube_inverts_the_wave():
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
-def test_a_flow_that_is_not_finite_is_refused_with_a_sentence(value):
+def test_a_flow_that_is_not_finite_is_refused(value):
     flow = np.zeros(50)
     flow[20] = value
     with pytest.raises(ParameterError, match="not finite"):
@@ -111,7 +120,7 @@ def test_a_flow_that_is_not_a_waveform_is_refused():
         ({"radiation": "flanged"}, "tract.radiation"),
     ],
 )
-def test_a_tract_that_makes_no_sense_is_refused_by_name(change, path):
+def test_an_invalid_tract_is_refused_by_name(change, path):
     with pytest.raises(ParameterError) as caught:
         Tract(**({"areas_m2": (3e-4,) * 10} | change))
     assert caught.value.path == path

@@ -1,4 +1,4 @@
-"""Anything a user may ask for ends in a finite, bounded result or in a sentence that says why not."""
+"""Every valid request gives a finite, bounded result or an error with a reason."""
 
 import dataclasses
 import math
@@ -32,7 +32,7 @@ MAY_BE_NAN = {"contact_location"}
 
 
 def within(low, high, default=None):
-    """The whole closed range, its ends more often than by chance; large ranges by orders of magnitude."""
+    """The closed range, its ends more often than by chance; large ranges on a logarithmic scale."""
     ends = [low, high] if default is None else [low, high, default]
     if low > 0 and high / low > 100:
         inside = st.floats(math.log(low), math.log(high)).map(lambda power: min(max(math.exp(power), low), high))
@@ -42,7 +42,7 @@ def within(low, high, default=None):
 
 
 def box(kind):
-    """A dataclass of declared quantities, every one drawn from its declared range."""
+    """A dataclass of declared quantities, each drawn from its declared range."""
     ranges = {
         field.name: within(field.metadata["low"], field.metadata["high"])
         for field in dataclasses.fields(kind)
@@ -79,7 +79,7 @@ RUNS = st.builds(
 
 
 def check(request):
-    """Run a request; True if it ran, False if it was refused in words."""
+    """Run a request; True if it ran, False if it was refused with a reason."""
     try:
         result = vfcore.simulate(request)
     except VocalisError as refusal:
@@ -88,7 +88,7 @@ def check(request):
     arrays = result.arrays
     for name, values in arrays.items():
         assert name in MAY_BE_NAN or np.isfinite(values).all(), name
-    assert np.abs(arrays["cycle_w_m"]).max() < 2 * LARGEST_DISPLACEMENT_M  # looked at every 5 ms only
+    assert np.abs(arrays["cycle_w_m"]).max() < 2 * LARGEST_DISPLACEMENT_M  # checked every 5 ms only
     assert (arrays["glottal_area_m2"] >= 0).all() and (arrays["glottal_flow_m3_s"] >= 0).all()
     assert (arrays["contact_pressure_max_pa"] >= 0).all()
     whole = result.coefficients.length_m * result.coefficients.thickness_m
@@ -124,9 +124,12 @@ def test_every_posture_given_directly(posture, ta, pressure, model, run):
 
 
 @given(
-    constants=constants(), activation=box(Activation), pressure=within(0, 5000, 1000),
-    shear=st.sampled_from(SHEAR_FORMS), run=RUNS,
-)  # fmt: skip
+    constants=constants(),
+    activation=box(Activation),
+    pressure=within(0, 5000, 1000),
+    shear=st.sampled_from(SHEAR_FORMS),
+    run=RUNS,
+)
 @settings(max_examples=80, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 def test_every_constant_in_its_range(constants, activation, pressure, shear, run):
     larynx = replace(PAPER_LARYNX, fold=constants)

@@ -4,7 +4,7 @@ import secrets
 
 import pytest
 
-from tests.server.live_client import Heard, voice
+from tests.server.live_client import Received, voice
 from tests.server.live_server import Live, serving
 
 
@@ -28,9 +28,9 @@ def client(live):
 
 
 @pytest.fixture(scope="module")
-def stage():
+def voice_server():
     """A server for two voices whose process of voices has started."""
     with serving(live_voices=2) as server:
         with voice(server) as first:
-            Heard(first).listen(0.1)
+            Received(first).listen(0.1)
         yield server

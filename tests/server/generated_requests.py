@@ -30,7 +30,7 @@ SHORTEST_S = 0.02
 ANSWER_WITHIN_S = 60  # the first error estimate compiles its two grids, while other tests want the cores as well
 QUIET = {"deadline": None, "derandomize": True, "database": None, "suppress_health_check": list(HealthCheck)}
 DOCUMENT = create_app(Settings(_env_file=None)).openapi()
-# /events has no end; a job's events are asked for.
+# /events has no end; the events of a job are requested.
 api = schemathesis.openapi.from_dict(DOCUMENT).exclude(path="/api/v1/events")
 
 

@@ -12,16 +12,16 @@ def voice(server, **more):
     return connect(f"{server.url.replace('http', 'ws')}/api/v1/live", open_timeout=60, max_size=None, **more)
 
 
-class Heard:
+class Received:
     """What a client has received."""
 
     def __init__(self, socket):
         self.socket = socket
         self.sequence: list[int] = []
         self.blocks: list[np.ndarray] = []
-        self.said: list[dict] = []
+        self.texts: list[dict] = []
 
-    def listen(self, seconds: float, until: str | None = None) -> "Heard":
+    def listen(self, seconds: float, until: str | None = None) -> "Received":
         """Take frames for a while after the first sound, or until a text frame of a type has come."""
         begin = None
         while begin is None or time.monotonic() < begin + seconds:
@@ -31,8 +31,8 @@ class Heard:
                 self.sequence.append(struct.unpack("<I", frame[:4])[0])
                 self.blocks.append(np.frombuffer(frame, "<f4", offset=4))
             else:
-                self.said.append(json.loads(frame))
-                if self.said[-1]["type"] == until:
+                self.texts.append(json.loads(frame))
+                if self.texts[-1]["type"] == until:
                     break
         return self
 
@@ -41,8 +41,8 @@ class Heard:
 
     @property
     def states(self) -> list[dict]:
-        return [frame for frame in self.said if frame["type"] == "state"]
+        return [frame for frame in self.texts if frame["type"] == "state"]
 
     @property
     def problems(self) -> list[dict]:
-        return [frame["problem"] for frame in self.said if frame["type"] == "problem"]
+        return [frame["problem"] for frame in self.texts if frame["type"] == "problem"]

@@ -1,4 +1,4 @@
-"""A real server in a thread, for tests: uvicorn on a free port, its services within reach."""
+"""A real server in a thread, for tests: uvicorn on a free port, with its services accessible."""
 
 import json
 import threading
@@ -12,7 +12,7 @@ import httpx
 import uvicorn
 
 from vocalis.server.app import create_app
-from vocalis.server.live.handover import HandsOver
+from vocalis.server.live.handover import HandoverProtocol
 from vocalis.server.services import Services
 from vocalis.server.settings import Settings
 
@@ -44,7 +44,7 @@ def serving(**settings) -> Iterator[Live]:
 
 def _serving(app) -> Iterator[Live]:
     config = uvicorn.Config(
-        app, host="127.0.0.1", port=0, ws=HandsOver, ws_per_message_deflate=False, log_level="warning",
+        app, host="127.0.0.1", port=0, ws=HandoverProtocol, ws_per_message_deflate=False, log_level="warning",
         timeout_graceful_shutdown=1,
     )  # fmt: skip
     server = uvicorn.Server(config)

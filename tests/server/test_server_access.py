@@ -16,7 +16,7 @@ def closed():
         yield server
 
 
-def test_on_this_machine_nobody_is_asked(live):
+def test_on_this_machine_no_token_is_needed(live):
     with live.client() as client:
         assert client.get("/jobs").status_code == 200
 

@@ -122,7 +122,7 @@ def read_bundle(content: bytes):
     return header, arrays
 
 
-def test_octets_carry_every_array_of_the_python_result(client, python_result):
+def test_bytes_carry_every_array_of_the_python_result(client, python_result):
     answer = client.post("/simulate", json=SHORT, headers=OCTETS)
     assert answer.headers["content-type"] == "application/octet-stream"
     header, arrays = read_bundle(answer.content)
@@ -134,7 +134,7 @@ def test_octets_carry_every_array_of_the_python_result(client, python_result):
         assert header["arrays"][name]["dims"] == list(ARRAYS[name].dims)
 
 
-def test_octets_can_be_restricted_to_chosen_arrays(client):
+def test_bytes_can_be_restricted_to_chosen_arrays(client):
     answer = client.post("/simulate?arrays=glottal_area_m2,cycle_wb_m", json=SHORT, headers=OCTETS)
     _, arrays = read_bundle(answer.content)
     assert list(arrays) == ["glottal_area_m2", "cycle_wb_m"]
@@ -156,14 +156,14 @@ def test_the_tract_is_the_one_the_voice_goes_through(client):
     assert client.get("/tract/y").status_code == 422
 
 
-def test_a_tract_is_the_one_that_is_heard(client):
-    """Under every variant, vowel and air: the tract that a run of the same settings is heard through."""
+def test_a_tract_is_the_one_of_the_run(client):
+    """Under every variant, vowel and air: the tract that a run of the same settings is filtered by."""
     for variant in VARIANTS:
         for vowel in ("a", "i"):
             answer = client.get(f"/tract/{vowel}", params={"variant": variant, "c_a_m_s": 340}).json()
             document = {"vowel": vowel, "model": {"variant": variant}, "constants": {"c_a_m_s": 340}}
-            heard = tract_of(resolve(document))
-            assert (answer["section_length_m"], answer["areas_m2"]) == (heard.section_length_m, list(heard.areas_m2))
+            tract = tract_of(resolve(document))
+            assert (answer["section_length_m"], answer["areas_m2"]) == (tract.section_length_m, list(tract.areas_m2))
     man, woman = (
         client.get("/tract/a", params={"variant": v}).json()["formants"][0] for v in ("human", "human_female")
     )
@@ -179,7 +179,7 @@ def test_a_variant_brings_its_coupling_over_http(client):
         assert answer["provenance"]["request"]["model"]["coupling"] == coupling
 
 
-def test_what_is_served_is_in_the_words_of_the_request_that_was_made(client):
+def test_an_answer_repeats_the_request_as_it_was_made(client):
     """A voice spelled out by its constants is the variant's voice, computed once; each answer names its own request."""
     spelled = {"model": {"coupling": "two_way"}, "constants": dict(VARIANTS["human"].overrides)}
     run = {"run": {"duration_s": 0.02}}

@@ -26,13 +26,13 @@ def test_a_stream_resumes_after_the_last_event_that_was_read(client):
     stream.close()
     client.delete(f"/jobs/{second['id']}")
     missed = events(client, "/events", last_id=read.id)
-    told = []
-    while not told or told[-1].name != "done":
-        told.append(next(missed))
-    assert {event.data["id"] for event in told} == {second["id"]}, "what was read is not told again, the rest is"
+    seen = []
+    while not seen or seen[-1].name != "done":
+        seen.append(next(missed))
+    assert {event.data["id"] for event in seen} == {second["id"]}, "what was read is not sent again, the rest is"
 
 
-def test_a_finished_stream_is_told_once_and_not_again(client):
+def test_a_finished_stream_is_sent_once_and_not_again(client):
     job = finish(client, run(client, SHORT | {"fresh": True}))
     (done,) = events(client, f"/jobs/{job['id']}/events")
     assert done.name == "done" and done.data["status"] == "successful"

@@ -1,4 +1,4 @@
-"""A job from handing in to dismissal."""
+"""A job from submission to dismissal."""
 
 import time
 
@@ -82,31 +82,31 @@ def test_progress_is_real_and_dismissal_stops_the_work_within_a_second(live, cli
     asked = time.monotonic()
     answer = client.delete(f"/jobs/{job['id']}")
     assert answer.status_code == 200 and answer.json()["status"] == "dismissed"
-    wait_until(lambda: not live.services.desk.engine.busy, seconds=1.0)
+    wait_until(lambda: not live.services.jobs.scheduler.busy, seconds=1.0)
     assert time.monotonic() - asked < 1.0
     again = client.delete(f"/jobs/{job['id']}")
     assert again.status_code == 200 and again.json() == answer.json()
 
 
 def test_shared_work_goes_on_until_the_last_handle_is_dismissed(live, client):
-    engine = live.services.desk.engine
+    scheduler = live.services.jobs.scheduler
     with live.client(Authorization="Bearer second") as second:
         mine, theirs = run(client, LONG), run(second, LONG)
         assert mine["id"] != theirs["id"]
         wait_until(lambda: second.get(f"/jobs/{theirs['id']}").json()["status"] == "running")
-        assert len(engine.busy) == 1 and engine.waiting == 0, "two handles, one computation"
+        assert len(scheduler.busy) == 1 and scheduler.waiting == 0, "two handles, one computation"
         client.delete(f"/jobs/{mine['id']}")
         reached = second.get(f"/jobs/{theirs['id']}").json()["progress"]
         wait_until(lambda: second.get(f"/jobs/{theirs['id']}").json()["progress"] > reached)
         second.delete(f"/jobs/{theirs['id']}")
-        wait_until(lambda: not engine.busy, seconds=1.0)
+        wait_until(lambda: not scheduler.busy, seconds=1.0)
 
 
 def test_a_job_that_waits_leaves_the_queue_when_dismissed(live, client):
     running, waiting = run(client, LONG), run(client, LONG | {"vowel": "i"})
     assert waiting["status"] == "accepted"
     client.delete(f"/jobs/{waiting['id']}")
-    assert live.services.desk.engine.waiting == 0
+    assert live.services.jobs.scheduler.waiting == 0
     client.delete(f"/jobs/{running['id']}")
 
 

@@ -1,4 +1,4 @@
-"""When a voice wakes: for words of the hand, for blocks that are due, and never late for either."""
+"""When a voice wakes: for control messages and for due blocks, and never late for either."""
 
 import random
 
@@ -9,17 +9,17 @@ from vocalis.server.live.pace import AT_REST, EARLY_S, PAUSE_S, Pace
 BLOCK_S = 0.01
 
 
-def played(words_s: list[float], seconds: float) -> tuple[int, list[float], list[float]]:
-    """Wakes in the last half; how late each block was made there, s; how long each word waited for its block, s."""
+def played(messages_s: list[float], seconds: float) -> tuple[int, list[float], list[float]]:
+    """Wakes in the last half; how late each block was made there, s; how long each message waited for its block, s."""
     pace, now, wakes, late, waited, calm = Pace(BLOCK_S), 0.0, 0, [], [], 0
     newest = 0.0
-    words = list(words_s)
+    messages = list(messages_s)
     while now < seconds:
-        now = max(now, min(pace.wakes_s, words[0] if words else seconds))
-        spoken = [word for word in words if word <= now]
-        words = words[len(spoken) :]
-        pace.moved |= bool(spoken)
-        calm, newest = (0, spoken[-1]) if spoken else (calm, newest)
+        now = max(now, min(pace.wakes_s, messages[0] if messages else seconds))
+        arrived = [message for message in messages if message <= now]
+        messages = messages[len(arrived) :]
+        pace.moved |= bool(arrived)
+        calm, newest = (0, arrived[-1]) if arrived else (calm, newest)
         counted = now > seconds / 2
         wakes += counted
         if pace.wakes_s > now + EARLY_S:
@@ -34,17 +34,17 @@ def played(words_s: list[float], seconds: float) -> tuple[int, list[float], list
     return wakes, late, waited
 
 
-def test_a_hand_wakes_it_once_a_word_and_waits_no_longer_than_for_the_block_that_is_due():
+def test_it_wakes_once_a_message_which_waits_no_longer_than_for_the_due_block():
     jitter = random.Random(5)
-    words = [k / 60 + jitter.uniform(0, 5e-4) for k in range(600)]
-    wakes, late, waited = played(words, 10.0)
+    messages = [k / 60 + jitter.uniform(0, 5e-4) for k in range(600)]
+    wakes, late, waited = played(messages, 10.0)
     assert wakes < 5 * 65, "sixty a second, not a hundred"
     assert max(late) < 1e-9
     assert max(waited) < BLOCK_S + 0.003 and sum(waited) / len(waited) < 0.0075
 
 
 @pytest.mark.parametrize("rate", [20, 40, 125, 500])
-def test_other_hands_are_heard_as_soon(rate):
+def test_other_message_rates_have_the_same_latency(rate):
     wakes, late, waited = played([k / rate for k in range(10 * rate)], 10.0)
     assert max(late) < 1e-9
     assert max(waited) < BLOCK_S + PAUSE_S

@@ -58,10 +58,10 @@ def test_plotly_comes_from_the_installed_package_compressed_once_and_kept(http):
     assert http.get(PLOTLY, headers={"If-None-Match": plain.headers["etag"]}).status_code == 304
 
 
-def test_text_is_compressed_octets_are_not_and_the_api_is_not_stored(http):
+def test_text_is_compressed_arrays_are_not_and_the_api_is_not_stored(http):
     parameters = http.get("/api/v1/parameters")
     assert parameters.headers["content-encoding"] == "gzip" and parameters.headers["cache-control"] == "no-store"
-    octets = http.post(
+    arrays = http.post(
         "/api/v1/simulate", json={"run": {"duration_s": 0.1}}, headers={"Accept": "application/octet-stream"}
     )
-    assert "content-encoding" not in octets.headers
+    assert "content-encoding" not in arrays.headers

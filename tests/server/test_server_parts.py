@@ -1,18 +1,18 @@
-"""Parts of the server on their own: transitions, turns, the event log, the results kept, architecture."""
+"""Parts of the server by themselves: transitions, the limiter, the event log, imports."""
 
-import ast
 import asyncio
+import subprocess
+import sys
 import threading
-from pathlib import Path
 
 import pytest
 
-import vocalis.server
 from vfcore.runs.one import simulate
-from vocalis.server.http.problems import OTHER, TABLE, NotReady, kind_of
+from vocalis.server.exceptions import ClientLeft, NotReady, Superseded
 from vocalis.server.jobs.events import DONE, PROGRESS, EventLog
-from vocalis.server.jobs.interactive import ClientLeft, Interactive, Overtaken
 from vocalis.server.jobs.model import TRANSITIONS, IllegalTransition, Job, Status
+from vocalis.server.limiter import LatestFirstLimiter
+from vocalis.server.problems import OTHER, TABLE, kind_of
 from vocalis.server.warmup.requests import IRREGULAR, PERIODIC
 from vocalis.server.warmup.state import Kernels
 
@@ -39,7 +39,7 @@ def test_what_is_over_never_runs_again():
     assert set(TRANSITIONS) == set(Status)
 
 
-def test_a_class_without_a_row_takes_that_of_its_base():
+def test_a_class_without_a_row_has_the_row_of_its_base():
     for cls, kind in TABLE.items():
         derived = type("Derived", (cls,), {"__init__": lambda self: None})
         assert kind_of(derived()) is kind
@@ -50,7 +50,7 @@ def in_turn(slots: int, waiting: int, calls: int) -> list:
     """Outcomes of calls that come one after the other while the first one holds the only slot; then their order."""
 
     async def main():
-        gate, release, order = Interactive(slots, waiting, "test"), threading.Event(), []
+        gate, release, order = LatestFirstLimiter(slots, waiting, "test"), threading.Event(), []
 
         def call(number):
             if number == 0:
@@ -74,15 +74,15 @@ def test_the_newest_call_is_next():
     assert order == [0, 3, 2, 1]
 
 
-def test_the_oldest_waiting_call_is_turned_away_when_too_many_wait():
+def test_the_oldest_waiting_call_is_refused_when_too_many_wait():
     order, outcomes = in_turn(slots=1, waiting=2, calls=4)
     assert order == [0, 3, 2]
-    assert isinstance(outcomes[1], Overtaken) and "2 places" in str(outcomes[1])
+    assert isinstance(outcomes[1], Superseded) and "2 places" in str(outcomes[1])
 
 
 def test_a_call_whose_client_left_is_not_computed_and_its_slot_goes_on():
     async def main():
-        gate = Interactive(1, 2, "test")
+        gate = LatestFirstLimiter(1, 2, "test")
 
         async def gone():
             return True
@@ -98,7 +98,7 @@ def test_a_call_whose_client_left_is_not_computed_and_its_slot_goes_on():
 
 def test_a_cancelled_wait_gives_its_place_back():
     async def main():
-        gate, release = Interactive(1, 2, "test"), threading.Event()
+        gate, release = LatestFirstLimiter(1, 2, "test"), threading.Event()
         first = asyncio.create_task(gate.run(lambda: release.wait(5)))
         await asyncio.sleep(0.01)
         second = asyncio.create_task(gate.run(lambda: "second"))
@@ -111,8 +111,8 @@ def test_a_cancelled_wait_gives_its_place_back():
     asyncio.run(main())
 
 
-def test_the_voices_of_the_rehearsal_have_the_states_whose_measures_they_compile():
-    assert [simulate(voice).report.state for voice in (PERIODIC, IRREGULAR)] == ["periodic", "irregular"]
+def test_the_warm_up_requests_have_the_states_whose_measures_they_compile():
+    assert [simulate(request).report.state for request in (PERIODIC, IRREGULAR)] == ["periodic", "irregular"]
 
 
 def test_calls_wait_for_the_kernels(monkeypatch):
@@ -128,7 +128,7 @@ def test_calls_wait_for_the_kernels(monkeypatch):
     asyncio.run(main())
 
 
-def test_calls_are_told_why_there_will_be_no_kernels(monkeypatch):
+def test_calls_get_the_reason_why_there_are_no_kernels(monkeypatch):
     def broken(*_):
         raise OSError("no space left for compiled code")
 
@@ -141,7 +141,7 @@ def test_calls_are_told_why_there_will_be_no_kernels(monkeypatch):
         asyncio.run(kernels.for_runs())
 
 
-def test_the_log_keeps_of_a_jobs_progress_the_last_word_only():
+def test_the_log_keeps_only_the_latest_progress_of_a_job():
     log = EventLog()
     for k in range(100):
         log.publish(PROGRESS, "me", "a", {"progress": k})
@@ -165,10 +165,25 @@ def test_a_reader_that_missed_too_much_is_not_given_a_gap():
     assert log.position(None) is None and log.position("nonsense") is None
 
 
-def test_the_job_room_knows_nothing_of_the_web():
-    folder = Path(vocalis.server.__file__).parent / "jobs"
-    for path in folder.glob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text())):
-            names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
-            names += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
-            assert not {name.partition(".")[0] for name in names} & {"fastapi", "starlette", "uvicorn"}, path
+def loaded_by(module: str) -> set[str]:
+    """The modules that are loaded once this one is imported in a process of its own."""
+    code = f"import sys, {module}; print(*sys.modules)"
+    return set(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split())
+
+
+@pytest.mark.parametrize("module", ["problems", "exceptions", "addresses", "encoding"])
+def test_what_all_rooms_share_imports_none_of_them(module):
+    loaded = loaded_by(f"vocalis.server.{module}")
+    rooms = ("http", "jobs", "live", "routes", "schemas", "services", "warmup")
+    assert not {name for name in loaded if name.startswith(tuple(f"vocalis.server.{room}" for room in rooms))}
+
+
+def test_jobs_load_no_web_framework_and_nothing_that_answers_requests():
+    loaded = loaded_by("vocalis.server.jobs.service")
+    assert not loaded & {"fastapi", "starlette", "uvicorn"}
+    assert not {name for name in loaded if name.startswith(("vocalis.server.http", "vocalis.server.routes"))}
+
+
+def test_a_worker_starts_without_database_and_schemas():
+    assert not loaded_by("vocalis.server.jobs.runner") & {"sqlalchemy", "pydantic", "fastapi"}
+    assert not loaded_by("vocalis.server.jobs.computations") & {"sqlalchemy", "pydantic", "fastapi"}

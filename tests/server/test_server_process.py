@@ -16,7 +16,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from tests.server.live_client import Heard
+from tests.server.live_client import Received
 from tests.server.live_server import LONG, events, run, wait_until
 
 
@@ -54,13 +54,13 @@ def test_it_says_once_where_it_is_and_stops_within_two_seconds_with_work_streams
             stream = events(client, "/events")
             next(stream)
             playing = here.enter_context(connect(f"{address(lines).replace('http', 'ws')}/api/v1/live"))
-            heard = Heard(playing).listen(0.1)
+            received = Received(playing).listen(0.1)
             asked = time.monotonic()
             process.send_signal(stop)
             assert process.wait(10) in (0, -stop)
             assert time.monotonic() - asked < 2
         with pytest.raises(ConnectionClosed) as closed:
-            heard.listen(2)
+            received.listen(2)
         assert closed.value.rcvd.code == 1012
         assert [line.startswith("Vocalis: http://127.0.0.1:") for line in lines] == [True], lines
 
@@ -93,18 +93,18 @@ def test_a_port_in_use_is_one_clear_line():
 
 
 @pytest.mark.parametrize(
-    "options, variables, said",
+    "options, variables, message",
     [
         ([], {"VOCALIS_PORT": "eighty"}, "VOCALIS_PORT: 'eighty' cannot be used"),
         (["--tls-cert", "/nowhere/cert.pem", "--tls-key", "/nowhere/key.pem"], {}, "certificate and its key"),
         (["--tls-cert", "/nowhere/cert.pem"], {}, "tls_cert and tls_key go together"),
     ],
 )
-def test_settings_that_cannot_be_used_are_one_clear_line(options, variables, said):
+def test_settings_that_cannot_be_used_are_one_clear_line(options, variables, message):
     command = [sys.executable, "-m", "vocalis.server", "--port", "0", *options]
     ended = subprocess.run(command, capture_output=True, text=True, timeout=60, env=os.environ | variables)
     assert ended.returncode != 0
-    assert said in ended.stderr and ended.stderr.startswith("vocalis: ") and ended.stderr.count("\n") == 1
+    assert message in ended.stderr and ended.stderr.startswith("vocalis: ") and ended.stderr.count("\n") == 1
 
 
 def test_with_a_certificate_it_speaks_https(tmp_path):
@@ -122,6 +122,6 @@ def test_with_a_certificate_it_speaks_https(tmp_path):
         live = f"{address(lines).replace('https', 'wss')}/api/v1/live"
         with connect(
             live, ssl=trusted, open_timeout=60
-        ) as playing:  # octets are carried: only the server can read them
-            heard = Heard(playing).listen(0.3)
-        assert heard.sequence == list(range(len(heard.sequence))) and len(heard.sequence) > 20
+        ) as playing:  # the server copies the bytes: only it can read them
+            received = Received(playing).listen(0.3)
+        assert received.sequence == list(range(len(received.sequence))) and len(received.sequence) > 20

@@ -43,7 +43,11 @@ def test_a_bad_field_is_named_with_what_it_takes(client, path, body, field, allo
 def test_a_sweep_is_a_job_and_nothing_else(client, path):
     errors = problem(client.post(path, json={"kind": "sweep", "base": {}}), 422)["errors"]
     assert errors == [
-        {"path": "kind", "message": "a sweep is a job; here stands one simulation", "allowed": "simulation"}
+        {
+            "path": "kind",
+            "message": "must be one simulation here; POST /jobs takes other kinds",
+            "allowed": "simulation",
+        }
     ]
 
 
@@ -175,7 +179,7 @@ def test_results_make_room_for_newer_ones_and_say_so():
     with serving(result_bytes=2**20, stored_bytes=2**20) as server, server.client() as client:
         first = finish(client, run(client, SHORT))
         finish(client, run(client, {"run": {"duration_s": 0.5}}))
-        server.services.retention.tidy()
+        server.services.storage.retention.tidy()
         assert "the same request makes it again" in problem(client.get(f"/jobs/{first['id']}/result"), 410)["detail"]
         again = finish(client, run(client, SHORT))
         assert client.get(f"/jobs/{again['id']}/result").status_code == 200

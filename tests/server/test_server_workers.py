@@ -1,4 +1,4 @@
-"""A worker process that dies is replaced; its job is tried once more."""
+"""A worker process that dies is replaced; its job is tried again once."""
 
 import os
 import signal
@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.server.live_server import LONG, SHORT, finish, run, serving, wait_until
-from vocalis.server.jobs.scheduler import Engine
+from vocalis.server.jobs.scheduler import Scheduler
 
 MEDIUM = {"run": {"duration_s": 2, "time_step_s": 1.7857142857142857e-6}}  # some seconds of work where cores are shared
 
@@ -21,34 +21,34 @@ def own():
 
 def kill_worker(server, client, job) -> None:
     """kill -9 the one worker once the job has progressed in it."""
-    engine = server.services.desk.engine
-    wait_until(lambda: engine.worker_pids and client.get(f"/jobs/{job['id']}").json()["progress"] > 0)
-    (pid,) = engine.worker_pids
+    scheduler = server.services.jobs.scheduler
+    wait_until(lambda: scheduler.worker_pids and client.get(f"/jobs/{job['id']}").json()["progress"] > 0)
+    (pid,) = scheduler.worker_pids
     os.kill(pid, signal.SIGKILL)
-    wait_until(lambda: pid not in engine.worker_pids)
+    wait_until(lambda: pid not in scheduler.worker_pids)
 
 
 def test_no_worker_is_started_before_there_is_a_job_unless_asked_for(own):
     server, _ = own
-    assert server.services.desk.engine.worker_pids == ()
+    assert server.services.jobs.scheduler.worker_pids == ()
 
 
 def test_a_warm_worker_waits_with_its_kernels_loaded_and_takes_the_first_job():
     with serving(workers=1, warm_workers=1) as server, server.client() as client:
-        engine = server.services.desk.engine
-        wait_until(lambda: len(engine.worker_pids) == 1, seconds=60)
-        (pid,) = engine.worker_pids
+        scheduler = server.services.jobs.scheduler
+        wait_until(lambda: len(scheduler.worker_pids) == 1, seconds=60)
+        (pid,) = scheduler.worker_pids
         wait_until(lambda: "pocketfft" in Path(f"/proc/{pid}/maps").read_text())  # voices have been measured in it
         assert finish(client, run(client, SHORT))["status"] == "successful"
-        assert engine.worker_pids == (pid,)
+        assert scheduler.worker_pids == (pid,)
 
 
 def test_a_server_that_closes_while_its_workers_warm_up_leaves_none_behind():
-    before, engine = active_children(), Engine(2, listener=None, points=None, warm=2)
-    engine.warm()
-    engine.close()
+    before, scheduler = active_children(), Scheduler(2, listener=None, warm=2)
+    scheduler.warm_up()
+    scheduler.close()
     wait_until(lambda: not set(active_children()) - set(before))
-    assert engine.worker_pids == ()
+    assert scheduler.worker_pids == ()
 
 
 def test_a_job_survives_the_death_of_its_worker(own):
@@ -74,7 +74,7 @@ def test_workers_give_way_to_what_a_person_waits_for(own):
     server, client = own
     job = run(client, LONG)
     wait_until(lambda: client.get(f"/jobs/{job['id']}").json()["status"] == "running")
-    (pid,) = server.services.desk.engine.worker_pids
+    (pid,) = server.services.jobs.scheduler.worker_pids
     wait_until(lambda: os.getpriority(os.PRIO_PROCESS, pid) > os.getpriority(os.PRIO_PROCESS, 0))
     client.delete(f"/jobs/{job['id']}")
 
@@ -83,6 +83,6 @@ def test_no_worker_outlives_the_server():
     with serving(workers=1) as server, server.client() as client:
         job = run(client, LONG)
         wait_until(lambda: client.get(f"/jobs/{job['id']}").json()["progress"] > 0)
-        (pid,) = server.services.desk.engine.worker_pids
+        (pid,) = server.services.jobs.scheduler.worker_pids
     with pytest.raises(ProcessLookupError):
         os.kill(pid, 0)

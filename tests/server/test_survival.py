@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import vfcore
-from tests.server.desk_harness import Shop
+from tests.server.jobs_harness import JobSystem
 from tests.server.live_server import LONG, SHORT, events, finish, run, serving, wait_until
 from tests.server.test_server_process import address, started
 from tests.server.test_server_refusals import problem
@@ -24,7 +24,8 @@ from vfcore.io.stored import DamagedFile, load_result, save_result
 from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
 from vfcore.runs.sweep.row import columns, failed_row
 from vfcore.spec.request import document_of, resolve
-from vocalis.server.jobs.model import ResultGone, Status
+from vocalis.server.exceptions import ResultGone
+from vocalis.server.jobs.model import Status
 from vocalis.server.jobs.retention import Limits
 
 
@@ -58,7 +59,7 @@ def test_unfinished_jobs_go_on_after_a_restart_and_streams_resume(tmp_path):
         assert first.name == "progress" and first.data["n_done"] >= stored, "the present state, not a gap"
         wait_until(lambda: client.get(f"/jobs/{sweep['id']}").json()["n_done"] > stored, 60)
         client.delete(f"/jobs/{sweep['id']}")
-        assert server.services.points.recomputed() == 0
+        assert server.services.storage.points.recomputed() == 0
 
 
 def test_a_second_server_on_the_same_folder_keeps_jobs_of_its_own_and_says_so(tmp_path, monkeypatch):
@@ -141,7 +142,7 @@ def test_a_sweep_that_fills_the_disk_fails_and_goes_on_when_there_is_room(small_
         again = run(client, LONG_SWEEP)
         wait_until(lambda: client.get(f"/jobs/{again['id']}").json()["n_done"] > failed["n_done"], 30)
         client.delete(f"/jobs/{again['id']}")
-        assert server.services.points.recomputed() == 0
+        assert server.services.storage.points.recomputed() == 0
 
 
 def simulation(**changes) -> dict:
@@ -151,23 +152,22 @@ def simulation(**changes) -> dict:
 def test_old_jobs_and_large_results_go_and_work_under_way_stays(tmp_path):
     result = vfcore.simulate(resolve(simulation()))
     size = save_result(result, tmp_path / "probe.npz")
-    shop = Shop(tmp_path / "jobs", limits=Limits(jobs=2, days=90, result_bytes=2 * size, points=1000))
+    system = JobSystem(tmp_path / "jobs", limits=Limits(jobs=2, days=90, result_bytes=2 * size, points=1000))
     ended = []
     for vowel in "aiueo":
-        job = shop.desk.submit("A", simulation(vowel=vowel))
-        shop.ledger.started(job.work_id)
-        shop.ledger.finished(job.work_id, replace(result, request=resolve(job.request)))
+        job = system.jobs.submit("A", simulation(vowel=vowel))
+        system.finish(job, replace(result, request=resolve(job.request)))
         ended.append(job)
         time.sleep(0.01)
-    active = shop.desk.submit("A", simulation(vowel="a"), fresh=True)
-    shop.retention.tidy()
-    assert {job.id for job in shop.desk.jobs("A", None, None, 100, None)[0]} == {ended[3].id, ended[4].id, active.id}
-    assert shop.archive.total_bytes() <= 2 * size + size, "the result a job under way will give is not counted out"
-    assert shop.archive.is_kept(ended[4].content) and not shop.archive.is_kept(ended[1].content)
-    shop.retention._limits = Limits(jobs=100, days=1e-9, result_bytes=2**30, points=1000)
-    shop.retention.tidy()
-    assert [job.id for job in shop.desk.jobs("A", None, None, 100, None)[0]] == [active.id]
-    shop.close()
+    active = system.jobs.submit("A", simulation(vowel="a"), fresh=True)
+    system.storage.retention.tidy()
+    assert {job.id for job in system.jobs.jobs("A", None, None, 100, None)[0]} == {ended[3].id, ended[4].id, active.id}
+    assert system.storage.results.total_bytes() <= 2 * size + size, "the result of a job under way is kept"
+    assert system.storage.results.is_stored(ended[4].content) and not system.storage.results.is_stored(ended[1].content)
+    system.storage.retention._limits = Limits(jobs=100, days=1e-9, result_bytes=2**30, points=1000)
+    system.storage.retention.tidy()
+    assert [job.id for job in system.jobs.jobs("A", None, None, 100, None)[0]] == [active.id]
+    system.close()
 
 
 def test_a_result_file_reads_back_bit_for_bit_and_damage_is_noticed(tmp_path):
@@ -188,26 +188,25 @@ def test_a_result_file_reads_back_bit_for_bit_and_damage_is_noticed(tmp_path):
 
 def test_a_damaged_result_is_made_again_rather_than_given(tmp_path):
     result = vfcore.simulate(resolve(simulation()))
-    shop = Shop(tmp_path / "jobs")
-    job = shop.desk.submit("A", simulation())
-    shop.ledger.started(job.work_id)
-    shop.ledger.finished(job.work_id, result)
-    shop.close()
+    system = JobSystem(tmp_path / "jobs")
+    job = system.jobs.submit("A", simulation())
+    system.finish(job, result)
+    system.close()
     path = tmp_path / "jobs" / "results" / f"{job.content}.npz"
     path.write_bytes(path.read_bytes()[:-1000])
-    shop = Shop(tmp_path / "jobs")
-    again = shop.desk.submit("B", simulation())
-    assert again.status is Status.ACCEPTED and again.work_id in shop.engine.work
-    shop.close()
+    system = JobSystem(tmp_path / "jobs")
+    again = system.jobs.submit("B", simulation())
+    assert again.status is Status.ACCEPTED and again.work_id in system.scheduler.work
+    system.close()
 
 
 def test_what_a_server_only_began_to_write_is_cleared_away(tmp_path):
-    shop = Shop(tmp_path / "jobs")
-    shop.close()
+    system = JobSystem(tmp_path / "jobs")
+    system.close()
     draft = tmp_path / "jobs" / "results" / ".x.npz.abc"
     draft.mkdir()
     (draft / "x.npz").write_bytes(b"half")
-    Shop(tmp_path / "jobs").close()
+    JobSystem(tmp_path / "jobs").close()
     assert not draft.exists()
 
 
@@ -220,32 +219,31 @@ def test_nothing_that_an_earlier_version_stored_is_served_or_gone_on_with(tmp_pa
     )
     monkeypatch.setattr(content, "ADDRESS_VERSION", "1")
     content._digest.cache_clear()
-    shop = Shop(tmp_path / "jobs")
+    system = JobSystem(tmp_path / "jobs")
     result = vfcore.simulate(resolve(simulation()))
-    done = shop.desk.submit("A", simulation(), key="mine")
-    shop.ledger.started(done.work_id)
-    shop.ledger.finished(done.work_id, result)
-    tables = [shop.desk.submit(client, sweep) for client in "AB"]
-    work = shop.engine.work[tables[0].work_id]
-    task = work.next_task(shop.points, shop.ledger, shop.engine.in_flight)
-    shop.ledger.computed(task, [failed_row("of an old version", len(columns(work.sweep))) for _ in task.positions])
-    assert shop.desk.job(tables[0].id).n_done == 2
-    shop.close()
+    done = system.jobs.submit("A", simulation(), key="mine")
+    system.finish(done, result)
+    tables = [system.jobs.submit(client, sweep) for client in "AB"]
+    work = system.scheduler.work[tables[0].work_id]
+    task = work.next_task()
+    work.computed(task, [failed_row("of an old version", len(columns(work.sweep))) for _ in task.positions])
+    assert system.jobs.job(tables[0].id).n_done == 2
+    system.close()
     monkeypatch.undo()
     content._digest.cache_clear()
 
-    shop = Shop(tmp_path / "jobs")
+    system = JobSystem(tmp_path / "jobs")
     with pytest.raises(ResultGone, match="earlier version"):
-        shop.desk.result(shop.desk.job(done.id))
-    assert shop.archive.get(done.content) is None, "nor by its old address"
-    again = [shop.desk.job(job.id) for job in tables]
+        system.result(system.jobs.job(done.id))
+    assert system.storage.results.get(done.content) is None, "nor by its old address"
+    again = [system.jobs.job(job.id) for job in tables]
     assert {job.work_id for job in again} != {job.work_id for job in tables}
-    assert [job.n_done for job in again] == [0, 0] and len(shop.engine.work) == 1
-    fresh = next(iter(shop.engine.work.values()))
-    assert fresh.next_task(shop.points, shop.ledger, shop.engine.in_flight).positions == [0, 1]
+    assert [job.n_done for job in again] == [0, 0] and len(system.scheduler.work) == 1
+    fresh = next(iter(system.scheduler.work.values()))
+    assert fresh.next_task().positions == [0, 1]
     with pytest.raises(ParameterError, match="another request"):
-        shop.desk.submit("A", simulation(vowel="i"), key="mine")
-    made_again = shop.desk.submit("A", simulation(), key="mine")
+        system.jobs.submit("A", simulation(vowel="i"), key="mine")
+    made_again = system.jobs.submit("A", simulation(), key="mine")
     assert made_again.id != done.id and made_again.status is Status.ACCEPTED
-    assert shop.desk.submit("A", simulation(), key="mine").id == made_again.id
-    shop.close()
+    assert system.jobs.submit("A", simulation(), key="mine").id == made_again.id
+    system.close()

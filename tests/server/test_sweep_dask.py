@@ -1,4 +1,4 @@
-"""Sweeps on a real Dask cluster: the numbers of the local engine, bit for bit, whatever becomes of a worker."""
+"""Sweeps on a real Dask cluster: the numbers of local workers, bit for bit, whatever happens to a worker."""
 
 import pytest
 
@@ -44,7 +44,7 @@ def test_a_sweep_on_a_cluster_that_loses_a_worker_is_the_local_one_bit_for_bit(c
         done = finish(client, job, 120)
         assert (done["status"], done["n_done"], done["n_failed"]) == ("successful", 200, 0)
         assert result(client, done) == local
-        assert not server.services.desk.engine.worker_pids, "nothing was computed on this machine's own processes"
+        assert not server.services.jobs.scheduler.worker_pids, "nothing was computed on this machine's own processes"
 
 
 def test_a_worker_of_another_model_is_refused_in_words(cluster, tmp_path):
@@ -67,4 +67,4 @@ def test_a_sweep_waits_for_a_scheduler_that_is_not_there_and_can_be_dismissed():
         wait_until(lambda: client.get(f"/jobs/{job['id']}").json()["status"] == "running")
         assert client.get("/health").json()["ready"], "what is not a sweep goes on"
         client.delete(f"/jobs/{job['id']}")
-        wait_until(lambda: not server.services.desk.engine.busy, 8)
+        wait_until(lambda: not server.services.jobs.scheduler.busy, 8)

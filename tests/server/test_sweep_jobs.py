@@ -1,4 +1,4 @@
-"""Sweeps as jobs: handed in, watched, shared, stopped, refused, and what they give."""
+"""Sweeps as jobs: submitted, watched, shared, stopped, refused, and their answers."""
 
 import os
 import signal
@@ -68,15 +68,15 @@ def sweep_axes(body: dict) -> list[dict]:
     return [axis | {"values": [float(value) for value in axis["values"]]} for axis in body["axes"]]
 
 
-def test_points_are_told_as_they_come_and_all_of_them(own):
+def test_all_points_are_sent_as_they_are_computed(own):
     job = run(own, MAP | {"fresh": True})
-    told, states, frequencies = [], {}, {}
+    positions, states, frequencies = [], {}, {}
     for event in events(own, f"/jobs/{job['id']}/events"):
         if event.name == "point":
-            told += event.data["index"]
+            positions += event.data["index"]
             states |= zip(event.data["index"], event.data["phonation_state"], strict=True)
             frequencies |= zip(event.data["index"], event.data["measures"]["fo_hz"], strict=True)
-    assert event.name == "done" and sorted(told) == list(range(33))
+    assert event.name == "done" and sorted(positions) == list(range(33))
     whole = result(own, job)
     assert [states[k] for k in range(33)] == whole["phonation_state"]
     assert [frequencies[k] for k in range(33)] == whole["measures"]["fo_hz"]["values"]
@@ -85,10 +85,10 @@ def test_points_are_told_as_they_come_and_all_of_them(own):
 def test_overlapping_sweeps_share_points(two, own):
     finish(own, run(own, MAP))
     larger = MAP | {"axes": [MAP["axes"][0], MAP["axes"][1] | {"values": [0.5, 0.6, 0.7, 0.9]}]}
-    began = {job.id for job in two.services.store.active()}
+    began = {job.id for job in two.services.storage.jobs.active()}
     done = finish(own, run(own, larger))
     assert done["n_done"] == 44 and not began
-    assert two.services.points.recomputed() <= 33, "only what was asked afresh"
+    assert two.services.storage.points.recomputed() <= 33, "only those of fresh jobs"
     point = {"activation": {"ct": 0.3, "lca": 0.5, "ia": 0.5}}
     shared = finish(own, run(own, {"kind": "sweep", "base": MAP["base"], "points": [point]}))
     values = result(own, shared)["measures"]["fo_hz"]["values"]
@@ -102,7 +102,7 @@ def test_another_client_gets_a_finished_sweep_at_once(two, own):
         assert job["status"] == "successful" and result(other, job)["n_done"] == 33
 
 
-def test_partial_results_are_visible_and_a_stop_bites_within_a_second(two, own):
+def test_partial_results_are_visible_and_a_stop_takes_effect_within_a_second(two, own):
     job = run(own, LONG_SWEEP)
     wait_until(lambda: own.get(f"/jobs/{job['id']}").json()["n_done"] > 0)
     problem(own.get(f"/jobs/{job['id']}/result"), 409)
@@ -110,12 +110,12 @@ def test_partial_results_are_visible_and_a_stop_bites_within_a_second(two, own):
     assert 0 < partial["n_done"] < 1000 and len(partial["pending"]) == 1000 - partial["n_done"]
     asked = time.monotonic()
     own.delete(f"/jobs/{job['id']}")
-    wait_until(lambda: not two.services.desk.engine.busy, 1.0)
+    wait_until(lambda: not two.services.jobs.scheduler.busy, 1.0)
     assert time.monotonic() - asked < 1.0
     again = run(own, LONG_SWEEP)
     wait_until(lambda: own.get(f"/jobs/{again['id']}").json()["n_done"] >= partial["n_done"], 5)
     own.delete(f"/jobs/{again['id']}")
-    assert two.services.points.recomputed() <= 33, "what was computed before the stop is not computed again"
+    assert two.services.storage.points.recomputed() <= 33, "what was computed before the stop is not computed again"
 
 
 def test_single_runs_overtake_a_sweep(own):
@@ -138,7 +138,7 @@ def test_failed_points_carry_their_reason_and_the_sweep_succeeds(own):
 def test_a_sweep_survives_the_death_of_a_worker(own, two):
     job = run(own, MAP | {"base": {"run": {"duration_s": 1}}, "fresh": True})
     wait_until(lambda: own.get(f"/jobs/{job['id']}").json()["n_done"] > 0)
-    os.kill(two.services.desk.engine.worker_pids[0], signal.SIGKILL)
+    os.kill(two.services.jobs.scheduler.worker_pids[0], signal.SIGKILL)
     done = finish(own, job, 60)
     assert (done["status"], done["n_done"], done["n_failed"]) == ("successful", 33, 0)
 
@@ -197,7 +197,7 @@ def test_a_bad_field_of_a_sweep_is_named(own, change, path, allowed):
     assert allowed in found["allowed"]
 
 
-def test_long_lists_are_told_in_full_only_where_they_are_asked_for(own):
+def test_long_lists_are_complete_only_in_the_job_itself(own):
     body = {"kind": "sweep", "base": MAP["base"], "points": [{"activation.ct": k / 200} for k in range(150)]}
     job = run(own, body)
     assert len(job["request"]["points"]) == 150

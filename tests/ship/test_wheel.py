@@ -20,7 +20,9 @@ READY_WITHIN_S = 120  # kernels are compiled from nothing
 def wheel(tmp_path_factory) -> Path:
     """Built from a copy, so that no build folder is left in the project."""
     source, out = tmp_path_factory.mktemp("source") / "vocalis", tmp_path_factory.mktemp("dist")
-    ignored = shutil.ignore_patterns(".git", ".venv", "build", "*.egg-info", "__pycache__", "tests", "out", ".*_cache")
+    ignored = shutil.ignore_patterns(
+        ".git", ".venv", "build", "*.egg-info", "__pycache__", "tests", "out", ".*_cache", "node_modules"
+    )
     shutil.copytree(ROOT, source, ignore=ignored)
     subprocess.run(
         [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(out), str(source)], check=True
@@ -36,6 +38,7 @@ def test_the_wheel_holds_page_and_data_in_two_packages(wheel):
     top = {name.split("/")[0] for name in names if not name.split("/")[0].endswith(".dist-info")}
     assert top == {"vfcore", "vocalis"}
     assert "vocalis/server/login/login.html" in names
+    assert {"vfcore/py.typed", "vocalis/py.typed"} <= set(names)
 
 
 @pytest.mark.first

@@ -1,7 +1,7 @@
-"""Two-way coupling, slow and obvious: waves in two tubes as dictionaries of pulses, the flow by bracketing its root.
+"""Slow, obvious twin of two-way coupling: waves in two tubes as lists, the flow by a bracketing root finder.
 
-Written from the derivation in docs/model/equations.md, independent of the compiled kernel it is used to check. Every
-wave crosses one section a step; the glottis is whatever function of the drop it is given.
+Written from the derivation in docs/model/equations.md, independent of the compiled kernel that it checks. Every wave
+crosses one section per step; the glottis is any function from pressure drop to flow.
 """
 
 from collections.abc import Callable
@@ -14,7 +14,7 @@ from vfcore.airways.tract import Tract
 
 
 class TubeTwin:
-    """One airway seen from the glottis: pressures of the waves that leave it and come back, section by section."""
+    """One airway seen from the glottis: pressures, Pa, of outgoing and returning waves, section by section."""
 
     def __init__(self, tract: Tract):
         self.impedance = tract.impedance_pa_s_m3
@@ -34,7 +34,7 @@ class TubeTwin:
         arrived_back = [self.kept[i] * self.back[i] for i in range(count)]
         away, back = [0.0] * count, [0.0] * count
         away[0] = leaving_glottis
-        for i in range(count - 1):  # pressure and flow continue through the junction of sections i and i + 1
+        for i in range(count - 1):  # pressure and flow are continuous at the junction of sections i and i + 1
             Z, Z_next = self.impedance[i], self.impedance[i + 1]
             pressure = 2 * (arrived_away[i] / Z + arrived_back[i + 1] / Z_next) / (1 / Z + 1 / Z_next)
             back[i], away[i + 1] = pressure - arrived_away[i], pressure - arrived_back[i + 1]
@@ -46,7 +46,7 @@ class TubeTwin:
 
 
 class AirwaysTwin:
-    """Both airways around a glottis; ``step(P_s, flow_of)`` moves them on by one section of travel."""
+    """Both airways and the glottis; ``step(P_s, flow_of)`` advances them by one section of travel."""
 
     def __init__(self, airways: Airways):
         self.below, self.above = TubeTwin(airways.subglottal), TubeTwin(airways.supraglottal)
@@ -56,7 +56,7 @@ class AirwaysTwin:
         self.flow, self.inlet, self.outlet = 0.0, np.nan, np.nan
 
     def step(self, P_s: float, flow_of: Callable[[float], float]) -> None:
-        """``flow_of(drop)``: the glottis' flow, m³/s, increasing with the drop, Pa."""
+        """``flow_of(drop)``: flow through the glottis, m³/s, increasing with the drop, Pa."""
         Z_s, Z_v = self.below.impedance[0], self.above.impedance[0]
         B_s, B_v = self.below.arriving(), self.above.arriving()
         closed_inlet = P_s + 2 * B_s + self.excess[0] * self.slow
@@ -71,7 +71,7 @@ class AirwaysTwin:
 
 
 def law_of(A: np.ndarray, B: np.ndarray, width: np.ndarray) -> Callable[[float], float]:
-    """Flow of slices side by side, each with A q |q| + B q = drop; ``width`` 0 or A infinite: closed."""
+    """Total flow of slices with A q |q| + B q = drop; a slice with ``width`` 0 or infinite A is closed."""
 
     def flow(drop: float) -> float:
         size = abs(drop)

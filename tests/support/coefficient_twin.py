@@ -1,7 +1,7 @@
-"""Prestrained coefficients, a second time: written from the paper's text, without vfcore.larynx.tissue.
+"""Twin of the prestrained coefficients, written from the text of the paper, without vfcore.larynx.tissue.
 
 Source: Serry, Zañartu & Peterson (2026), "Model development". Tangent moduli come from
-complex-step differentiation of the stress, not from a derivative worked out by hand.
+complex-step differentiation of the stress, not from an analytical derivative.
 """
 
 import cmath
@@ -14,7 +14,7 @@ COMPLEX_STEP = 1e-30
 
 @dataclass(frozen=True)
 class TwinCoefficients:
-    """What the coupled equations take from the posture; SI units, the paper's symbols.
+    """Coefficients of the coupled equations; SI units, the paper's symbols.
 
     ``sigma_*`` (Pa) are engineering stresses, ``E_*`` (Pa) their tangent moduli at the nominal
     strain. A trailing ``_tilde`` marks the paper's tilde.

@@ -1,9 +1,9 @@
-"""The product at its own step against the plain loop at the paper's, over random postures: what a user would read off.
+"""Measures at the default step against those of the plain loop at the paper's step, over random postures.
 
-``python -m tests.support.equivalence 300`` prints the report (a second or two a posture). The plain loop is
-``vocalis.bench.reference``, equal to the slow twin (tests/cli/test_bench.py): semi-implicit Euler, explicit beam,
-1.79 µs. Both waves then take the same measures. ``python -m tests.support.equivalence 300 float32`` prints the same of
-batches in single precision beside batches in double.
+``python -m tests.support.equivalence 300`` prints the report (one to two seconds per posture). The plain loop is
+``vocalis.bench.reference``, equal to the twin (tests/cli/test_bench.py): semi-implicit Euler, explicit beam, 1.79 µs.
+The same code measures both waves. ``python -m tests.support.equivalence 300 float32`` compares batches in single
+precision with batches in double precision.
 """
 
 import sys
@@ -14,9 +14,9 @@ import numpy as np
 
 import vfcore
 from vfcore.errors import VocalisError
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.measures.catalogue import MeasureReport
-from vfcore.runs.many import run_points
+from vfcore.runs.many import Point, run_points
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Activation, Simulation
 from vocalis.bench.reference import plain_run
 
@@ -30,8 +30,8 @@ BOUNDS = (
 SAME_STATE = 0.98
 
 
-class PlainMarch(March):
-    """The plain loop at the paper's step, every sixteenth step recorded, in the place of the product's march."""
+class PlainMarch(TimeMarch):
+    """The plain loop at the paper's step, every twentieth step recorded, with the interface of TimeMarch."""
 
     def run(self, samples, progress=None, stop=None):
         every = round(DEFAULT_STEP_S / PAPER_STEP_S)
@@ -47,7 +47,7 @@ class PlainMarch(March):
 
 
 class Comparison(NamedTuple):
-    """Of one posture: both states, and the deviation of each measure of BOUNDS (NaN where either has none)."""
+    """One posture: both states, and the deviation of each measure of BOUNDS (NaN if one of the two is missing)."""
 
     states: tuple[str, str]
     deviations: tuple[float, ...]
@@ -62,7 +62,7 @@ def random_request(rng) -> Simulation:
 
 def compare(request: Simulation) -> Comparison:
     fast = vfcore.simulate(request)
-    with mock.patch.object(sys.modules["vfcore.runs.one"], "March", PlainMarch):
+    with mock.patch.object(sys.modules["vfcore.runs.one"], "TimeMarch", PlainMarch):
         slow = vfcore.simulate(request)
     return deviations(fast.report, slow.report)
 
@@ -77,7 +77,7 @@ def deviations(one: MeasureReport, other: MeasureReport) -> Comparison:
 
 
 def survey(count: int, seed: int = 1) -> list[Comparison]:
-    """``count`` random postures at which the default step holds and the posture can be solved."""
+    """``count`` random postures for which both runs succeed."""
     rng, found = np.random.default_rng(seed), []
     while len(found) < count:
         request = random_request(rng)
@@ -89,11 +89,15 @@ def survey(count: int, seed: int = 1) -> list[Comparison]:
 
 
 def survey_precisions(count: int, seed: int = 1) -> list[Comparison]:
-    """``count`` of the postures that ``survey`` draws, those without an answer left out."""
+    """The first ``count`` postures of ``survey``, without those that fail."""
     rng = np.random.default_rng(seed)
     requests = [random_request(rng) for _ in range(count)]
     single, double = (list(run_points(requests, precision=precision)) for precision in ("float32", "float64"))
-    return [deviations(a.report, b.report) for a, b in zip(single, double, strict=True) if a.report and b.report]
+    return [
+        deviations(a.report, b.report)
+        for a, b in zip(single, double, strict=True)
+        if isinstance(a, Point) and isinstance(b, Point)
+    ]
 
 
 def report(found: list[Comparison]) -> str:

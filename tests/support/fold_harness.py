@@ -1,10 +1,10 @@
-"""The compiled fold and its slow twin at the same posture, and states carried between the two."""
+"""The fold and its twin at the same posture, and conversion of states between the two."""
 
 import numpy as np
 
 from tests.support.fold_twin import FoldTwin, State
 from vfcore.fold.assemble import Fold, assemble, beam, membrane
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.larynx.tissue.coefficients import coefficients
 from vfcore.spec.fold_constants import FoldConstants
@@ -12,7 +12,7 @@ from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import Model, Run, Simulation
 
 MODAL = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.0}
-#: Held so wide open that nothing touches and, without lung pressure, every equation is linear.
+#: So wide open that nothing touches; without lung pressure every equation is linear.
 WIDE_OPEN = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.5, "theta_conv": 0.3}
 NO_DAMPERS = {"C_coup_pa_s_m": 0.0, "C_foun_pa_s": 0.0, "C_col_pa_s_m": 0.0, "eta_m_pa_s": 0.0}
 SHEARS = ("kelvin_voigt", "rotation")
@@ -29,7 +29,7 @@ def product_and_twin(
     shear: str = "kelvin_voigt",
     **constants: float,
 ) -> tuple[Fold, FoldTwin]:
-    """One fold twice: as the product assembles it and as the twin does. Angles in rad, constants SI."""
+    """The same fold as assembled by Vocalis and as the twin. Angles in rad, constants SI."""
     numbers = FoldConstants(**constants)
     request = Simulation(
         convergence_angle_rad=theta_conv,
@@ -41,8 +41,8 @@ def product_and_twin(
     return fold, FoldTwin(strain, a_ta, theta_g, theta_conv, nx, ny, coupling_gradient, shear, numbers)
 
 
-def put_state(march: March, state: State) -> None:
-    """Load a twin state, last velocity increments 0 (what the twin's own first step assumes)."""
+def put_state(march: TimeMarch, state: State) -> None:
+    """Write a twin state to the buffer, with previous velocity increments 0, as in the first step of the twin."""
     inner = slice(1, -1)
     for name, value in (("w", state.w_m), ("v", state.v_m), ("v_star", state.v_m)):
         membrane(march.buffer, march.fold, name)[:, inner] = value.T
@@ -53,8 +53,8 @@ def put_state(march: March, state: State) -> None:
         beam(march.buffer, march.fold, name)[inner] = value
 
 
-def get_state(march: March) -> State:
-    """A copy of the moving fields in the twin's arrangement."""
+def get_state(march: TimeMarch) -> State:
+    """A copy of the state in the layout of the twin."""
 
     def m(name):
         return membrane(march.buffer, march.fold, name)[:, 1:-1].T.copy()
@@ -65,8 +65,8 @@ def get_state(march: March) -> State:
     return State(m("w"), b("w_b"), m("phi")[:, :-1], m("v"), b("v_b"), m("vphi")[:, :-1])
 
 
-def advance(march: March, steps: int) -> np.ndarray:
-    """Move on by ``steps`` steps, every one recorded: (steps, 5), layout.RECORD."""
+def advance(march: TimeMarch, steps: int) -> np.ndarray:
+    """Advance by ``steps`` steps and record each: (steps, 7), layout.RECORD."""
     record = np.empty((steps, len(RECORD)))
     numbers = np.arange(march.steps, march.steps + steps)
     march._advance(march.buffer, march.scalars, march.pressure_at(numbers), 1, record.reshape(-1))
@@ -75,7 +75,7 @@ def advance(march: March, steps: int) -> np.ndarray:
 
 
 def half_step_back(twin: FoldTwin, state: State, dt: float, pressure_pa: float = 0.0) -> State:
-    """A state with its velocities moved from t to t − dt/2, where the product's scheme keeps them."""
+    """A state whose velocities are moved from t to t − dt/2, where the scheme of the step has them."""
     a_m, a_b, a_phi = twin.acceleration(state, pressure_pa)
     return state._replace(
         v_m=state.v_m - dt / 2 * a_m, v_b=state.v_b - dt / 2 * a_b, v_phi=state.v_phi - dt / 2 * a_phi

@@ -1,10 +1,10 @@
-"""The vocal-fold dynamics, slow and obvious; over 250 lines so that every term can be read in one place.
+"""Slow, obvious twin of the vocal-fold dynamics; one file, so that every term can be read in one place.
 
 Written from the paper (Serry, Zañartu & Peterson 2026, "Materials and methods"), independent of
-the compiled kernel it is used to check.
+the compiled kernel that it checks.
 
 Grid: x_i = i L/(nx-1), i = 0 anterior; y_j = j b/(ny-1), j = 0 superior (outlet), j = ny-1 inferior
-(inlet). Arrays are [x, y]. The unknowns live at the n = nx-2 interior x nodes and all ny rows:
+(inlet). Arrays are [x, y]. The unknowns are at the n = nx-2 interior x nodes and all ny rows:
 membrane w_m (n, ny), beam w_b (n,), and for ``shear="rotation"`` the angle phi (n, ny-1) halfway
 between rows. Displacements are 0 at x = 0 and x = L. w > 0 is medial. SI units throughout.
 """
@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from tests.support.coefficient_twin import coefficients
-from vfcore.kernels.flow import STILL_M
+from vfcore.kernels.flow import MIN_GAP_CHANGE_M
 from vfcore.spec.fold_constants import FoldConstants
 
 
@@ -93,7 +93,7 @@ class FoldTwin:
         keep("n", self.nx - 2)
         keep("medial", np.tan(self.theta_g) * x[:, None] + np.tan(self.theta_conv) * y[None, :])
 
-        # Width of y that each row stands for: half a cell at the two edges (trapezoid rule).
+        # Height of the cell of each row: half a cell at the two edges (trapezoid rule).
         row_width = np.full(self.ny, self.dy)
         row_width[[0, -1]] /= 2
         keep("row_width", row_width)
@@ -166,8 +166,8 @@ class FoldTwin:
         gap = 2 * np.maximum(self.medial - self.whole(w_m), 0.0)
         d_min, d_max = gap.min(axis=1), gap.max(axis=1)
         d_sep = np.minimum(c.alpha_s * d_min, d_max)
-        # Reading from the inlet (last row), the first row whose gap has fallen to d_sep. In a closed
-        # slice d_sep = 0 and this is its closed row nearest the inlet.
+        # The first row from the inlet (last row) whose gap is at most d_sep. In a closed slice d_sep = 0, and this is
+        # the closed row nearest the inlet.
         fallen = gap <= d_sep[:, None]
         j_sep = self.ny - 1 - np.argmax(fallen[:, ::-1], axis=1)
 
@@ -197,28 +197,28 @@ class FoldTwin:
         return Flow(p_aero, gap, flow_per_width, d_min, j_sep, along_x @ d_min, along_x @ flow_per_width)
 
     def mean_pressure(self, w_m, P_s: float, room_before, dt: float):
-        """p_aero (nx, ny), Pa, averaged over half a step before and after, as slices close and open within it.
+        """p_aero (nx, ny), Pa, averaged from half a step before to half a step after, as slices close and open.
 
-        ``room_before`` (nx,): the smallest of medial − w of each slice one step before; all of the slice is taken to
-        move as fast as that did since then. A node from the separation on feels P_s while the slice is shut there or
-        further on, and not in a row nearer to the inlet.
+        ``room_before`` (nx,): smallest medial − w of each slice one step before. The whole slice is assumed to move at
+        the speed of that minimum. A node downstream of the separation has P_s while the slice is closed at it or
+        further downstream, and not in a row nearer to the inlet.
         """
         air, room = self.flow(w_m, P_s), self.medial - self.whole(w_m)
-        to_here = np.minimum.accumulate(room[:, ::-1], axis=1)[:, ::-1]  # smallest from the inlet on
-        pushed = P_s * dt**2 / self.k.rho_s  # by the pressure that comes and goes, in one step
-        moved = np.abs(room.min(axis=1) - room_before) + pushed + STILL_M
-        shut = np.clip(0.5 - to_here / moved[:, None], 0.0, 1.0)
-        shut_nearer = np.pad(shut, ((0, 0), (0, 1)))[:, 1:]
+        to_here = np.minimum.accumulate(room[:, ::-1], axis=1)[:, ::-1]  # running minimum from the inlet
+        pushed = P_s * dt**2 / self.k.rho_s  # by the jumping pressure in one step
+        change = np.abs(room.min(axis=1) - room_before) + pushed + MIN_GAP_CHANGE_M
+        closed = np.clip(0.5 - to_here / change[:, None], 0.0, 1.0)
+        closed_upstream = np.pad(closed, ((0, 0), (0, 1)))[:, 1:]
         attached = np.arange(self.ny) > air.j_sep[:, None]
-        return np.where(attached, air.p_aero, np.maximum(shut[:, :1] - shut_nearer, 0.0) * P_s)
+        return np.where(attached, air.p_aero, np.maximum(closed[:, :1] - closed_upstream, 0.0) * P_s)
 
     def shear_force(self, state: State):
-        """Shear force on the membrane, N/m², and the angle's acceleration, rad/s² (Kelvin–Voigt: no angle)."""
+        """Shear force on the membrane, N/m², and acceleration of the angle, rad/s² (0 for Kelvin–Voigt)."""
         c, k = self.constants, self.k
         gamma, gamma_dot = np.diff(state.w_m, axis=1) / self.dy, np.diff(state.v_m, axis=1) / self.dy
         if self.shear == "rotation":
             gamma, gamma_dot = gamma - state.phi, gamma_dot - state.v_phi
-        flux = np.zeros((self.n, self.ny + 1))  # none beyond the free edges
+        flux = np.zeros((self.n, self.ny + 1))  # 0 at the free edges
         flux[:, 1:-1] = k.G_m_tilde * gamma + k.eta_m_tilde * gamma_dot
         force = np.diff(flux, axis=1) / self.row_width
         if self.shear == "kelvin_voigt":
@@ -254,9 +254,9 @@ class FoldTwin:
         ``"euler"``: semi-implicit Euler, every force at the current displacement and velocity.
         ``"leapfrog"``: velocities half a step behind (v given is that of t - dt/2); the beam's
         tension, bending and end moments by the trapezoidal rule; velocity-dependent forces at
-        v + (v - v of the step before)/2; membrane and rotation moved by Stormer's formula of third order; the air
-        pressure of slices that close or open averaged over the step.
-        The contact pressure recorded is the one applied.
+        v + (v - v of the previous step)/2; membrane and rotation by Störmer's formula of third order; the air
+        pressure of slices that close or open is averaged over the step.
+        The recorded contact pressure is the applied one.
         """
         if scheme == "leapfrog":
             beam_filter = np.linalg.inv(np.eye(self.n) - dt**2 / 4 * self.beam_operator)
@@ -313,7 +313,7 @@ class FoldTwin:
         """Symmetric mass, damping and stiffness matrices and the load, from the energies of the grid.
 
         Built from elastic links and lumped masses rather than from ``acceleration``: the end moments
-        enter as rotational springs in series with the half cell beside them, k/(1 + k dx/2μ̃).
+        enter as rotational springs in series with the adjacent half cell, k/(1 + k dx/2μ̃).
         """
         c, k, n, ny, dx, dy = self.constants, self.k, self.n, self.ny, self.dx, self.dy
         with_phi = self.shear == "rotation"
@@ -413,7 +413,7 @@ class FoldTwin:
     # ---- static shape -----------------------------------------------------------------------------
 
     def static_shape_reference(self, error_m: float = 1e-9, max_steps: int = 2_000_000):
-        """Equilibrium at P_s = 0 with contact: (w_m (nx, ny), w_b (nx,)), by slow damped relaxation.
+        """Equilibrium at P_s = 0 with contact: (w_m (nx, ny), w_b (nx,)), by damped relaxation.
 
         The dynamics with every damper replaced by one critical for the lowest mode, stepped explicitly
         until the residual bounds the mass-weighted rms distance to equilibrium: contact only adds

@@ -1,10 +1,10 @@
-"""Worker processes that are none: each call is done where it is made, so that a test can count and change it."""
+"""An executor that runs each call at once in the calling thread, so that a test can count and change it."""
 
 from concurrent.futures import Future
 
 
 class InlinePool:
-    """``submit`` and ``map`` as of an executor."""
+    """``submit`` and ``map`` of an executor."""
 
     def __init__(self):
         self.calls = 0

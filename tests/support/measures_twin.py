@@ -1,4 +1,4 @@
-"""Twins of the compiled loops of the measures, vectorised over samples or cycles, one array after another."""
+"""Twins of the compiled loops of the measures, in numpy: vectorised over samples or cycles."""
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
@@ -6,7 +6,7 @@ from scipy.signal import find_peaks
 
 
 def vertex(before, at, after):
-    """Offset and height of the extremum of the parabola through three neighbours, arrays of them."""
+    """Offset and height of the extremum of the parabola through three neighbours; arrays."""
     curvature = before - 2.0 * at + after
     safe = np.where(curvature == 0.0, 1.0, curvature)
     offset = np.where(curvature == 0.0, 0.0, np.clip(0.5 * (before - after) / safe, -0.5, 0.5))
@@ -26,7 +26,7 @@ def repetition(wave):
 
 
 def maxima(values, lag_min, lag_max, rise):
-    """Lags and heights of the maxima that stand ``rise`` above the lowest value before them."""
+    """Lags and heights of the maxima that exceed the lowest value before them by ``rise``."""
     lag_max = min(lag_max, len(values) - 2)
     lowest = np.minimum.accumulate(values[: lag_max + 1])[lag_min:]
     before, at, after = (values[lag_min + k : lag_max + 1 + k] for k in (-1, 0, 1))
@@ -59,7 +59,7 @@ def lowest_near(wave, places, reach):
 
 
 def open_phases(wave, bounds, largest_at, closed_fraction, flank):
-    """(4, N): share of the cycle that is open, opening, peak and closing in samples of ``wave``."""
+    """(4, N): open fraction of the cycle; opening, peak and closing in samples of ``wave``."""
     area, lengths, first = wave[bounds[0] : bounds[-1]], np.diff(bounds), bounds[:-1] - bounds[0]
     level = np.repeat(closed_fraction * np.maximum.reduceat(area, first), lengths)
     is_open = area > level
@@ -94,12 +94,12 @@ def _open_side(area, at, outward, level, flank):
 
 
 def gaussian_slope(wave, sigma, reach):
-    """Derivative per sample through a Gaussian low pass, the ends of the wave going on."""
+    """Derivative per sample with a Gaussian low-pass filter; the ends of the wave are continued."""
     return gaussian_filter1d(wave, sigma, order=1, radius=reach, mode="nearest")
 
 
 def first_two(wave, window, turn):
-    """Magnitudes of the lines at ``turn`` and twice that, as their definition has it."""
+    """Magnitudes of the lines at ``turn`` and 2·``turn``, rad per sample, by definition."""
     x = (wave - wave.mean()) * window
     return tuple(abs((x * np.exp(1j * h * turn * np.arange(len(x)))).sum()) for h in (1, 2))
 
@@ -115,7 +115,7 @@ def relative_power(spectrum, least, lines):
 
 
 def mean_prominence(cepstrum, fitted_from, first, last):
-    """Mean over frames of the peak's height above the line that a fit of degree one gives."""
+    """Mean over frames of the height of the peak above the regression line."""
     places, heights = np.arange(cepstrum.shape[1]), []
     for frame in cepstrum:
         line = np.polyval(np.polyfit(places[fitted_from:], frame[fitted_from:], 1), places)

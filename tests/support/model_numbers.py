@@ -1,4 +1,4 @@
-"""The numbers this project chose itself, by the name under which the code keeps them: a table, one row each."""
+"""The numerical constants chosen by this project, with module and name: one row of the table each."""
 
 NUMBERS = (
     ("vfcore.spec.simulation", "PAPER_STEP_S", "s", "the paper's time step: a quarter of one tract section's travel"),
@@ -33,7 +33,7 @@ NUMBERS = (
     ("vfcore.runs.one", "PHASES", "1", "instants of the stored cycle"),
     ("vfcore.runs.one", "UNREPEATED_S", "s", "length stored instead of a cycle when nothing repeats"),
     ("vfcore.kernels.flow", "SMALLEST_GAP_M", "m", "gap below which reciprocals stop growing"),
-    ("vfcore.kernels.flow", "STILL_M", "m", "smallest change of a slice's half gap that a step assumes"),
+    ("vfcore.kernels.flow", "MIN_GAP_CHANGE_M", "m", "smallest change of a slice's half gap that a step assumes"),
     ("vfcore.kernels.flow", "SMALLEST_ROOT", "Pa s/m", "keeps the flux finite where no pressure drives it"),
     ("vfcore.kernels.posture", "TOLERANCE", "1", "posture residual over the load scale of its equation"),
     ("vfcore.kernels.posture", "LONGEST_STEP", "1", "longest continuation step, as a fraction of the load"),
@@ -47,12 +47,12 @@ NUMBERS = (
     ("vfcore.airways.impulse_response", "HALF_WIDTH", "1", "samples on each side in the interpolation of the flow"),
     ("vfcore.airways.impulse_response", "KAISER_BETA", "1", "shape of the window of that interpolation"),
     (
-        "vfcore.measures.phonation",
+        "vfcore.measures.vibration",
         "MIN_AREA_SWING_M2",
         "m²",
         "smallest peak-to-peak amplitude of the area that counts as phonation",
     ),
-    ("vfcore.measures.phonation", "MIN_RELATIVE_SWING", "1", "the same, relative to the mean area"),
+    ("vfcore.measures.vibration", "MIN_RELATIVE_SWING", "1", "the same, relative to the mean"),
     (
         "vfcore.measures.phonation",
         "STEADY_RATIO",
@@ -67,8 +67,13 @@ NUMBERS = (
         "1",
         "smallest amplitude of an interval, relative to the largest",
     ),
-    ("vfcore.measures.phonation", "MAX_CYCLE_DIFFERENCE", "1", "largest rms difference of a repeating pattern"),
-    ("vfcore.measures.phonation", "ALIKE", "1", "autocorrelation above which cycles of a pattern count as similar"),
+    ("vfcore.measures.vibration", "MAX_CYCLE_DIFFERENCE", "1", "largest rms difference of a repeating pattern"),
+    ("vfcore.measures.vibration", "ALIKE", "1", "autocorrelation above which cycles of a pattern count as similar"),
+    ("vfcore.measures.vibration", "MIN_FLOW_SWING_M3_S", "m³/s", "smallest peak-to-peak amplitude of a flow alone"),
+    ("vfcore.measures.vibration", "MIN_SOUND_SWING_PA", "Pa", "smallest peak-to-peak amplitude of a sound alone"),
+    ("vfcore.measures.vibration", "MAX_SOUND_DIFFERENCE", "1", "largest rms difference of a pattern in a sound alone"),
+    ("vfcore.measures.vibration", "SOUND_ALIKE", "1", "autocorrelation of similar cycles in a sound alone"),
+    ("vfcore.measures.vibration", "SOUND_FOLLOWED", "1", "peak at one cycle over the highest, irregular sound alone"),
     ("vfcore.measures.phonation", "MAX_CYCLES_PER_PATTERN", "1", "longest subharmonic pattern, cycles"),
     ("vfcore.measures.phonation", "MIN_TRACKABLE", "1", "autocorrelation needed to follow cycles"),
     ("vfcore.measures.phonation", "MIN_WINDOW_S", "s", "shortest window that is judged"),

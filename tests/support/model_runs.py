@@ -1,7 +1,7 @@
-"""The tables of docs/model/ and docs/validation.md that come from runs, and how two of them are compared.
+"""The tables of docs/model/ and docs/validation.md that need runs of the model, and their comparison.
 
-Numbers of different machines may differ in the last digit printed, so tables are compared number by number.
-Where nothing repeats the motion is chaotic and no digit is reproducible: such a run is given by its state alone.
+The last printed digit may differ between machines, so tables are compared number by number. If the motion does not
+repeat, it is chaotic and no digit is reproducible; such a run is listed by its state only.
 """
 
 from tests.support.model_tables import table
@@ -24,7 +24,7 @@ SOURCE = (*QUOTIENTS, "mean_flow_ml_s", "peak_area_mm2")
 
 
 def modal() -> str:
-    """Every measure of the modal case beside what the paper prints and what is usual in people."""
+    """Every measure of the modal case, with the value in the paper and the usual range in people."""
     report = simulate(Simulation()).report
     rows = []
     for spec in CATALOGUE:
@@ -60,7 +60,7 @@ def grid() -> str:
 
 
 def separation() -> str:
-    """The modal case with the ends of the air pressure on nodes, and between them (slow twin)."""
+    """The modal case with the air pressure ending on nodes, and between nodes (twin)."""
     cases = [("on nodes, as in Vocalis", "nodes", ny) for ny in (10, 20)]
     cases += [("separation point between nodes", "separation", 10), ("closure between nodes", "closure", 10)]
     cases += [("both between nodes", "both", ny) for ny in (10, 20)]
@@ -87,9 +87,11 @@ def time_steps() -> str:
 def variants() -> str:
     cases = []
     for shear, gradient in (
-        ("kelvin_voigt", "inferior_stiff"), ("kelvin_voigt", "superior_stiff"),
-        ("rotation", "inferior_stiff"), ("rotation", "superior_stiff"),
-    ):  # fmt: skip
+        ("kelvin_voigt", "inferior_stiff"),
+        ("kelvin_voigt", "superior_stiff"),
+        ("rotation", "inferior_stiff"),
+        ("rotation", "superior_stiff"),
+    ):
         for ny in (10, 20):
             model, run = Model(shear=shear, coupling_gradient=gradient), Run(ny=ny)
             cases.append((f"`{shear}`, `{gradient}`, 20 × {ny}", Simulation(model=model, run=run)))
@@ -142,13 +144,28 @@ def shapes() -> str:
         posture, fold, static = prepare(Simulation(activation=activation))
         lead = (static.w_m[-1] - static.w_m[0])[fold.nx // 2] * 1e3
         bulge = static.w_m[0].max() * 1e3
-        rows.append((
-            label, f"{posture.strain:.3f}", f"{posture.raw_glottal_half_angle_rad:.3f}",
-            f"`{static.closure.pattern}`", f"{static.closure.closed_fraction:.2f}",
-            f"{static.closure.open_area_m2 * 1e6:.2f}", f"{bulge:.2f}", f"{lead:.2f}",
-        ))  # fmt: skip
-    head = ("case", "$\\bar\\varepsilon$", "raw $\\theta_g$, rad", "pattern", "closed fraction", "open area, mm²",
-            "largest $w_m$, superior edge, mm", "inferior lead at mid-fold, mm")  # fmt: skip
+        rows.append(
+            (
+                label,
+                f"{posture.strain:.3f}",
+                f"{posture.raw_glottal_half_angle_rad:.3f}",
+                f"`{static.closure.pattern}`",
+                f"{static.closure.closed_fraction:.2f}",
+                f"{static.closure.open_area_m2 * 1e6:.2f}",
+                f"{bulge:.2f}",
+                f"{lead:.2f}",
+            )
+        )
+    head = (
+        "case",
+        "$\\bar\\varepsilon$",
+        "raw $\\theta_g$, rad",
+        "pattern",
+        "closed fraction",
+        "open area, mm²",
+        "largest $w_m$, superior edge, mm",
+        "inferior lead at mid-fold, mm",
+    )
     return table(head, rows)
 
 
@@ -160,10 +177,10 @@ RUNS = {
 
 
 def differences(old: str, new: str) -> list[tuple[str, str]]:
-    """Cells that differ: words that are not the same, numbers more than one unit of the last digit apart."""
+    """Cells that differ: other words, or numbers more than one unit of the last digit apart."""
     before, after = ([line.split(" | ") for line in text.splitlines()] for text in (old, new))
     if [len(line) for line in before] != [len(line) for line in after]:
-        return [("another number of rows or columns", "")]
+        return [("different number of rows or columns", "")]
     pairs = ((a, b) for x, y in zip(before, after, strict=True) for a, b in zip(x, y, strict=True))
     return [(a, b) for a, b in pairs if a != b and not _same_number(a.strip("| "), b.strip("| "))]
 

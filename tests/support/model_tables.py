@@ -1,4 +1,4 @@
-"""The tables of docs/model/, docs/reference/ and docs/validation.md that the code knows, written between markers.
+"""The tables of docs/model/, docs/reference/ and docs/validation.md that are generated, between markers in the files.
 
     python -m tests.support.model_tables                  name the tables that are out of date
     python -m tests.support.model_tables --write          rewrite them
@@ -60,19 +60,35 @@ def page_of(name: str) -> Path:
 
 def measures() -> str:
     rows = (
-        (f"`{m['key']}`", m["symbol"], m["unit"], f"{m['definition']} `{m['formula']}`", m["threshold"] or "–",
-         m["needs"], m["source"])
+        (
+            f"`{m['key']}`",
+            m["symbol"],
+            m["unit"],
+            f"{m['definition']} `{m['formula']}`",
+            m["threshold"] or "–",
+            m["needs"],
+            ", ".join(f"`{name}`" for name in m["signals"]),
+            m["source"],
+        )
         for m in CATALOGUE.as_rows()
-    )  # fmt: skip
-    return table(("key", "symbol", "unit", "definition and formula", "threshold", "given for", "source"), rows)
+    )
+    head = ("key", "symbol", "unit", "definition and formula", "threshold", "given for", "signals", "source")
+    return table(head, rows)
 
 
 def _constants(kind) -> str:
     rows = (
-        (f.metadata["symbol"], f.metadata["label"], f"`{f.name}`", number(f.default), f.metadata["unit"],
-         f"{number(f.metadata['low'])} to {number(f.metadata['high'])}", f.metadata["source"])
+        (
+            f.metadata["symbol"],
+            f.metadata["label"],
+            f"`{f.name}`",
+            number(f.default),
+            f.metadata["unit"],
+            f"{number(f.metadata['low'])} to {number(f.metadata['high'])}",
+            f.metadata["source"],
+        )
         for f in dataclasses.fields(kind)
-    )  # fmt: skip
+    )
     return table(("symbol", "meaning", "name", "value", "unit", "accepted", "source"), rows)
 
 
@@ -80,15 +96,20 @@ def muscles() -> str:
     """Every column of the default set, one muscle or tissue per column of the table."""
     constants = posture_set("serry2026")
     rows = (
-        (f.metadata["symbol"], f.metadata["label"], f"`…_{f.name}`", f.metadata["unit"],
-         *(number(getattr(getattr(constants, key), f.name)) for key in ROWS))
+        (
+            f.metadata["symbol"],
+            f.metadata["label"],
+            f"`…_{f.name}`",
+            f.metadata["unit"],
+            *(number(getattr(getattr(constants, key), f.name)) for key in ROWS),
+        )
         for f in dataclasses.fields(Muscle)
-    )  # fmt: skip
+    )
     return table(("symbol", "meaning", "name", "unit", *ROWS.values()), rows)
 
 
 def posture_sets() -> str:
-    """Where the other sets differ from the default one."""
+    """The differences of the other sets from the default set."""
     default = posture_set("serry2026")
     rows = []
     for name in list(POSTURE_SETS)[1:]:

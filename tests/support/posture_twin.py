@@ -7,7 +7,7 @@ Powell method with finite-difference derivatives, and the continuation is a plai
 import numpy as np
 from scipy.optimize import root
 
-# About 1 mm, 1 mm, 0.1 rad, 10 % strain: scipy's solver wants unknowns of similar size.
+# About 1 mm, 1 mm, 0.1 rad, 10 % strain: scipy's solver needs unknowns of similar size.
 UNKNOWN_SCALE = np.array([1e-3, 1e-3, 0.1, 0.1, 0.1])
 
 
@@ -92,7 +92,7 @@ def residual(c, unknowns, activation):
 
 
 def solve(c, activation, steps=40, start=None):
-    """Unknowns (ξ, ψ, θ_a, ε_t, ε_r) by stepping all activations up from rest together."""
+    """Unknowns (ξ, ψ, θ_a, ε_t, ε_r), by raising all activations from rest in equal steps."""
     z = np.zeros(5) if start is None else np.asarray(start) / UNKNOWN_SCALE
     weight = np.array([1, 1, 100, 1, 100])
     for s in np.linspace(0, 1, steps + 1) if start is None else [1.0]:

@@ -1,11 +1,11 @@
-"""The two places where the air pressure ends between nodes, interpolated in the slow twin. A study, not the product.
+"""Twins in which the air pressure ends between nodes, for a study of the grid error; not used by Vocalis itself.
 
-*Separation.* The product takes the first node, read from the inlet, whose gap has fallen to d_sep. ``InterpolatedTwin``
-puts y_sep on the segment between that node and the one before it, where the gap, taken as linear between them, equals
-d_sep. The viscous integral ends there, and of the attached node's pressure its outer half cell is loaded only as far.
+*Separation.* Vocalis takes the first node, read from the inlet, whose gap is at most d_sep. ``InterpolatedTwin`` puts
+y_sep between that node and the one before it, where the linearly interpolated gap equals d_sep. The viscous integral
+ends there, and the outer half cell of the last attached node is loaded only up to there.
 
-*Closure.* In a closed slice the product loads all nodes up to and including the first contact. ``ClosedTwin`` ends
-the load where the surfaces meet.
+*Closure.* In a closed slice Vocalis loads all nodes up to and including the first contact. ``ClosedTwin`` ends the load
+where the surfaces meet.
 """
 
 import numpy as np
@@ -21,30 +21,30 @@ RUN_S = 0.6
 
 
 class ClosedTwin(FoldTwin):
-    """The slow twin with the lung pressure in a closed slice ending where the folds meet, not at the next node."""
+    """The twin, with the lung pressure in a closed slice ending where the folds meet, not at the next node."""
 
     def flow(self, w_m, P_s: float) -> Flow:
         on_nodes = super().flow(w_m, P_s)
-        shut = np.flatnonzero((on_nodes.d_min == 0) & (on_nodes.j_sep < self.ny - 1))
-        if not shut.size:
+        closed = np.flatnonzero((on_nodes.d_min == 0) & (on_nodes.j_sep < self.ny - 1))
+        if not closed.size:
             return on_nodes
-        j, room = on_nodes.j_sep[shut], (self.medial - self.whole(w_m))[shut]
-        rows = np.arange(shut.size)
+        j, room = on_nodes.j_sep[closed], (self.medial - self.whole(w_m))[closed]
+        rows = np.arange(closed.size)
         before, after = room[rows, j], room[rows, j + 1]  # ≤ 0 < after
-        pushed = after / (after - before)  # share of the segment under pressure
+        pushed = after / (after - before)  # fraction of the segment under pressure
         half, width = 0.5, self.row_width / self.dy
         p_aero = on_nodes.p_aero.copy()
-        p_aero[shut, j] = P_s * np.maximum(pushed - half, 0.0) / width[j]
-        p_aero[shut, j + 1] = P_s * (width[j + 1] - half + np.minimum(pushed, half)) / width[j + 1]
+        p_aero[closed, j] = P_s * np.maximum(pushed - half, 0.0) / width[j]
+        p_aero[closed, j + 1] = P_s * (width[j + 1] - half + np.minimum(pushed, half)) / width[j + 1]
         return on_nodes._replace(p_aero=p_aero)
 
     def mean_pressure(self, w_m, P_s: float, room_before, dt: float):
-        """As it is: where the load ends between nodes it does not jump from node to node."""
+        """The instantaneous pressure: a load that ends between nodes does not jump from node to node."""
         return self.flow(w_m, P_s).p_aero
 
 
 class InterpolatedTwin(FoldTwin):
-    """The slow twin with an interpolated separation point."""
+    """The twin with an interpolated separation point."""
 
     def flow(self, w_m, P_s: float) -> Flow:
         on_nodes = super().flow(w_m, P_s)
@@ -54,7 +54,7 @@ class InterpolatedTwin(FoldTwin):
             return on_nodes
         c, g, j, rows = self.constants, gap[free], on_nodes.j_sep[free], np.arange(free.size)
         d_sep = np.minimum(c.alpha_s * d_min[free], g.max(axis=1))
-        # Share of the segment from the separated node j up to y_sep.
+        # Fraction of the segment from the separated node j to y_sep.
         s = (d_sep - g[rows, j]) / (g[rows, j + 1] - g[rows, j])
         panels = (1 / g[:, :-1] ** 3 + 1 / g[:, 1:] ** 3) * self.dy / 2
         to_inlet = np.zeros_like(g)
@@ -66,7 +66,7 @@ class InterpolatedTwin(FoldTwin):
         p_aero, flow_per_width = on_nodes.p_aero.copy(), on_nodes.flow_per_width.copy()
         p_aero[free] = np.where(np.arange(self.ny) > j[:, None], attached, 0.0)
         half = self.dy / 2
-        lower = np.where(j + 1 < self.ny - 1, half * 2, half)  # width that node j + 1 stands for
+        lower = np.where(j + 1 < self.ny - 1, half * 2, half)  # width of the cell of node j + 1
         p_aero[free, j + 1] *= (lower - s * half) / lower
         flow_per_width[free] = q
         along_x = np.full(self.nx, self.dx)
@@ -82,21 +82,37 @@ TWINS = {"nodes": FoldTwin, "separation": InterpolatedTwin, "closure": ClosedTwi
 
 
 def measured_voice(request: Simulation, kind: type[FoldTwin]) -> MeasureReport:
-    """The measures of a twin's run of RUN_S from the flat start; those of sound are of no sound and mean nothing."""
+    """Measures of a run of RUN_S of a twin from the flat start; those of sound are meaningless, its sound is 0."""
     ready = prepare(request)
     posture, run = ready.posture, request.run
-    twin = kind(posture.strain, request.activation.ta, posture.glottal_half_angle_rad,
-                request.convergence_angle_rad, run.nx, run.ny)  # fmt: skip
+    twin = kind(
+        posture.strain,
+        request.activation.ta,
+        posture.glottal_half_angle_rad,
+        request.convergence_angle_rad,
+        run.nx,
+        run.ny,
+    )
     step_s = time_step_s(run, ready.fold)
     record = twin.run(twin.initial_state(), request.subglottal_pressure_pa, step_s, round(RUN_S / step_s))
     still = np.zeros_like(record.t)
     return measure_all(
         Signals(
-            sample_rate_hz=1 / step_s, time_s=record.t, glottal_area_m2=record.A_g_min,
-            glottal_flow_m3_s=record.Q_g, lip_pressure_pa=still, far_pressure_pa=still,
-            contact_pressure_max_pa=np.maximum(record.p_col_max, 0.0), contact_location=still, contact_area_m2=still,
-            subglottal_pressure_pa=request.subglottal_pressure_pa, length_m=twin.k.L, strain=posture.strain,
-            glottal_half_angle_rad=posture.glottal_half_angle_rad, gap_m=2 * posture.half_gap_m,
-            medial_area_m2=twin.k.L * twin.k.b, air_density_kg_m3=1.14, sound_speed_m_s=350.0,
+            sample_rate_hz=1 / step_s,
+            glottal_area_m2=record.A_g_min,
+            glottal_flow_m3_s=record.Q_g,
+            lip_pressure_pa=still,
+            far_pressure_pa=still,
+            contact_pressure_max_pa=np.maximum(record.p_col_max, 0.0),
+            contact_location=still,
+            contact_area_m2=still,
+            subglottal_pressure_pa=request.subglottal_pressure_pa,
+            length_m=twin.k.L,
+            strain=posture.strain,
+            glottal_half_angle_rad=posture.glottal_half_angle_rad,
+            gap_m=2 * posture.half_gap_m,
+            medial_area_m2=twin.k.L * twin.k.b,
+            air_density_kg_m3=1.14,
+            sound_speed_m_s=350.0,
         )
-    )  # fmt: skip
+    )

@@ -1,4 +1,4 @@
-"""Made-up case results with known features, for the tests of the claims: no model behind them."""
+"""Synthetic case results with known features, for the tests of the claims; no model is run."""
 
 import numpy as np
 
@@ -47,11 +47,21 @@ def voice_of(w, half_gap=0.0, state="periodic", flow=None, aerodynamic=None, con
     spring = 1e6 * (overlap + 2.0 * speed * (overlap > 0.0))
     push = np.where(rising, 800.0, 80.0)[:, None, None] * np.ones_like(w)
     return VoiceCycle(
-        state, f"State {state}.", state != "none", measures, LENGTH * X, THICKNESS * Y, G,
+        state,
+        f"State {state}.",
+        state != "none",
+        measures,
+        LENGTH * X,
+        THICKNESS * Y,
+        G,
         0.05 * MM * HALF_SINE[:, None] + REST * Y if static is None else static,
-        PHASES / 150, area, 40 * np.roll(area, -6) if flow is None else flow(area), w,
-        push if aerodynamic is None else aerodynamic(rising), spring if contact is None else contact(spring),
-    )  # fmt: skip
+        PHASES / 150,
+        area,
+        40 * np.roll(area, -6) if flow is None else flow(area),
+        w,
+        push if aerodynamic is None else aerodynamic(rising),
+        spring if contact is None else contact(spring),
+    )
 
 
 def wave(lead=0.12, bias=0.1, amplitude=1.0, lowered=0.0, ahead=0.0):
@@ -110,6 +120,8 @@ def sweep(pressure=None, place=None, state=None) -> PcaSweep:
 
     state = np.full(21, "periodic", dtype="U11") if state is None else state
     return PcaSweep(
-        pca, state, curve(pressure or [(0, 3000), (0.2, 3150), (0.6, 2900), (1, 4500)]),
+        pca,
+        state,
+        curve(pressure or [(0, 3000), (0.2, 3150), (0.6, 2900), (1, 4500)]),
         curve(place or [(0, 0.5), (0.65, 0.5), (0.8, 0.3), (1, 0.45)]),
-    )  # fmt: skip
+    )

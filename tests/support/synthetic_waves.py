@@ -1,6 +1,6 @@
-"""Waves with measures known from their formulas, for the tests of the measures.
+"""Waves whose measures are known analytically, for the tests of the measures.
 
-All are functions of continuous time, sampled: nothing here depends on the code under test.
+All are sampled functions of continuous time; nothing here depends on the code under test.
 """
 
 from dataclasses import replace
@@ -87,13 +87,11 @@ class LiljencrantsFant:
 
 def signals_from(area_m2: np.ndarray, rate_hz: float = RATE_HZ, **changes) -> Signals:
     """Signals around a given area: flow at 40 m/s, sound as its derivative, contact while the area is small."""
-    n = len(area_m2)
     flow = 40.0 * area_m2
     sound = np.gradient(flow) * rate_hz * 1.14 / (4 * np.pi * 0.3)
     touching = np.clip(0.2 - area_m2 / max(area_m2.max(), 1e-12), 0.0, None) / 0.2
     default = Signals(
         sample_rate_hz=rate_hz,
-        time_s=np.arange(n) / rate_hz,
         glottal_area_m2=area_m2,
         glottal_flow_m3_s=flow,
         lip_pressure_pa=10.0 * sound,

@@ -1,7 +1,7 @@
-"""Slow, obvious twins of the vocal tract: tubes and circuit elements step by step, and chain matrices.
+"""Slow, obvious twins of the vocal tract: tubes and circuit elements in time, and chain matrices in frequency.
 
-No reflection coefficient and no filter coefficient appears here: junctions balance pressure and flow through
-impedances, and the lips are a resistance beside an inertance advanced by the trapezoidal rule.
+There are no reflection and no filter coefficients: junctions balance pressure and flow through impedances, and the lips
+are a resistance parallel to an inertance, advanced by the trapezoidal rule.
 """
 
 import numpy as np
@@ -15,7 +15,7 @@ def radiation_elements(end_area, rho, c):
 
 
 def stepped_twin(flow, areas, section_length, rho=1.14, c=350.0, attenuation=3.8e-3, open_end=False):
-    """Lip pressure and mouth flow for a glottal flow given once per section travel."""
+    """Lip pressure, Pa, and mouth flow, m³/s, for a glottal flow sampled once per section travel."""
     areas = np.asarray(areas, dtype=float)
     Z = rho * c / areas
     loss = 1 - attenuation * section_length / np.sqrt(areas)
@@ -26,7 +26,7 @@ def stepped_twin(flow, areas, section_length, rho=1.14, c=350.0, attenuation=3.8
     lip_pressure, mouth_flow = [], []
     for q in flow:
         F, B = loss * f, loss * b
-        # a junction's pressure is that of two sources 2F and 2B behind Z_i and Z_{i+1}
+        # the pressure of a junction is that of two sources 2F and 2B behind Z_i and Z_{i+1}
         p_j = 2 * (F[:-1] / Z[:-1] + B[1:] / Z[1:]) / (1 / Z[:-1] + 1 / Z[1:])
         if open_end:
             p = 0.0
@@ -46,7 +46,7 @@ def stepped_twin(flow, areas, section_length, rho=1.14, c=350.0, attenuation=3.8
 def chain_response(freqs, areas, section_length, rho=1.14, c=350.0, attenuation=3.8e-3, warped=False):
     """Lip pressure per glottal flow, one 2×2 matrix product per frequency.
 
-    ``warped`` puts the radiation impedance at the bilinear frequency of the section travel time.
+    ``warped``: radiation impedance at the frequency warped by the bilinear transform of the section travel time.
     """
     R, L = radiation_elements(areas[-1], rho, c)
     travel = section_length / c

@@ -9,7 +9,7 @@ import vfcore
 from vfcore.errors import Cancelled, ParameterError, StabilityError
 from vfcore.fold.march_many import march_many
 from vfcore.measures import CATALOGUE
-from vfcore.measures.signals import unread
+from vfcore.measures.signals import unused_samples
 from vfcore.runs.many import run_points, static_shapes
 from vfcore.runs.one import simulate
 from vfcore.spec.larynx import PAPER_LARYNX
@@ -29,7 +29,6 @@ def test_a_point_is_the_run_reduced_to_its_scalars():
     requests = [_short(), HIGH, dataclasses.replace(HIGH, run=vfcore.Run(duration_s=0.3, nx=24, start="static"))]
     for request, point in zip(requests, run_points(requests), strict=True):
         alone = vfcore.simulate(request)
-        assert point.problem is None
         assert point.posture == alone.posture
         assert point.report.state == alone.report.state == "periodic"
         assert point.report.measures.keys() == alone.report.measures.keys()
@@ -58,11 +57,16 @@ def test_what_is_left_out_of_the_record_changes_no_measure(precision, monkeypatc
     """But by rounding, as instants are counted from another sample; in every state, and for tracts that ring longer."""
     postures = [vfcore.Activation(ta=0.2 * k, ct=0.1, lca=0.5, ia=0.5) for k in range(6)]
     requests = [vfcore.Simulation(activation=posture, vowel=vowel) for posture in postures for vowel in "ai"]
-    asked = []
-    monkeypatch.setattr("vfcore.runs.many.unread", lambda *given: asked.append(unread(*given)) or asked[-1])
+    left_out = []
+
+    def counted(*given):
+        left_out.append(unused_samples(*given))
+        return left_out[-1]
+
+    monkeypatch.setattr("vfcore.runs.many.unused_samples", counted)
     shortened = list(run_points(requests, precision=precision))
-    assert min(asked) > 10_000
-    monkeypatch.setattr("vfcore.runs.many.unread", lambda *given: 0)
+    assert min(left_out) > 10_000
+    monkeypatch.setattr("vfcore.runs.many.unused_samples", lambda *given: 0)
     for whole, point in zip(run_points(requests, precision=precision), shortened, strict=True):
         assert point.report.state == whole.report.state
         for key, measure in whole.report.measures.items():
@@ -71,7 +75,7 @@ def test_what_is_left_out_of_the_record_changes_no_measure(precision, monkeypatc
     assert len({point.report.state for point in shortened}) > 1
 
 
-def test_a_measure_has_the_same_value_whatever_else_is_asked_for():
+def test_a_measure_has_the_same_value_whatever_else_is_wanted():
     (whole,) = run_points([_short()])
     for key in CATALOGUE.keys():  # noqa: SIM118 - iterating gives rows
         (one,) = run_points([_short()], measures=[key])
@@ -88,8 +92,7 @@ def test_single_precision_hears_the_same_voice():
 def test_a_failing_point_carries_its_reason_and_stops_nobody_else():
     too_long = dataclasses.replace(_short(), run=vfcore.Run(duration_s=0.4, time_step_s=1e-3))
     sound, broken, other = run_points([_short(), too_long, HIGH])
-    assert isinstance(broken.problem, StabilityError)
-    assert broken.report is None
+    assert isinstance(broken, StabilityError)
     assert sound.report.measures["mean_flow_ml_s"].value > 0
     assert other.report.measures["mean_flow_ml_s"].value > 0
 
@@ -108,12 +111,14 @@ def test_a_flow_that_is_no_number_leaves_its_neighbours_alone(precision, monkeyp
     monkeypatch.setattr("vfcore.runs.many.march_many", spoilt)
     first, wrong, third = run_points(requests, precision=precision)
     assert [first, third] == [expected[0], expected[2]]
-    assert wrong.problem.path == "flow_m3_s"
+    assert wrong.path == "flow_m3_s"
 
 
-def test_a_stop_ends_it():
+@pytest.mark.parametrize("coupling", ["one_way", "two_way"])
+def test_a_stop_ends_it(coupling):
+    request = _short(model=vfcore.Model(coupling=coupling))
     with pytest.raises(Cancelled):
-        list(run_points([_short()], stop=lambda: True))
+        list(run_points([request], stop=lambda: True))
 
 
 @pytest.mark.parametrize("wrong", [{"measures": ["pitch"]}, {"precision": "float16"}])

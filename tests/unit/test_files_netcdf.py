@@ -29,7 +29,7 @@ def dataset(result, tmp_path_factory):
         yield opened.load()
 
 
-def test_error_bars_stand_beside_their_measures_where_they_were_asked_for(dataset):
+def test_error_bars_are_attributes_of_their_measures_where_the_request_has_them(dataset):
     assert "error_half_width" not in dataset["measure_fo_hz"].attrs
     barred = simulate(Simulation(run=Run(duration_s=0.2, error_estimate=True)))
     with xarray.open_dataset(io.BytesIO(netcdf_bytes(barred)), engine="h5netcdf") as opened:
@@ -79,7 +79,7 @@ def test_the_file_says_what_it_is_and_how_to_make_it_again(dataset, result):
     assert "Serry" in dataset.attrs["references"]
 
 
-def test_the_octets_are_the_same_file(dataset, result):
+def test_the_bytes_are_the_same_file(dataset, result):
     with xarray.open_dataset(io.BytesIO(netcdf_bytes(result)), engine="h5netcdf") as opened:
         assert opened.equals(dataset) and opened.attrs == dataset.attrs
 

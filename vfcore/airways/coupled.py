@@ -1,4 +1,4 @@
-"""Both airways beside the glottis, cut so that a whole number of sections passes in a step of the fold.
+"""The airways below and above the glottis, cut so that a whole number of sections passes in a step of the fold.
 
 What a steady flow meets is set apart from the losses of sound (vfcore.kernels.airways): nothing above the glottis,
 where the viscous resistance of an open vowel is a few Pa per L/s, and LUNG_RESISTANCE below it.

@@ -15,6 +15,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from vfcore.airways.tract import Tract
 from vfcore.errors import ParameterError
@@ -40,13 +41,13 @@ def transfer_function(tract: Tract, freqs_hz: np.ndarray) -> TransferFunction:
     return TransferFunction(end / flow, 1 / flow)
 
 
-def input_impedance(tract: Tract, freqs_hz: np.ndarray) -> np.ndarray:
+def input_impedance(tract: Tract, freqs_hz: ArrayLike) -> np.ndarray:
     """Pressure per flow at the glottal end of the tract, Pa·s/m³, complex; ``freqs_hz`` of any shape, Hz."""
     _, pressure, flow = _at_the_glottis(tract, freqs_hz)
     return pressure / flow
 
 
-def _at_the_glottis(tract: Tract, freqs_hz: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _at_the_glottis(tract: Tract, freqs_hz: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Impedance of the far end; pressure and flow at the glottis for unit flow through that end."""
     phase = 2 * np.pi * np.asarray(freqs_hz, dtype=np.float64) * tract.section_travel_s
     end = _end_impedance(tract, phase)

@@ -1,13 +1,13 @@
 """The airway below the glottis: trachea and first bronchi of Weibel (1963), ended by the lungs.
 
-Generations 0 to 3 of Weibel's model A, the tubes of a generation side by side as one tube of their total area
-(Ishizaka, Matsudaira & Kaneko 1976; Titze 2006). Together 19.4 cm, the effective acoustic length of the subglottal
-tract of men, 19.5 cm (Hanna, Smith & Wolfe 2018); beyond, the total area flares and the tract acts as open. There
-a resistance: a wave returns as −0.8 of itself (the lung end of Story's and Titze's simulations), so that a glottis at
-rest sees the lung pressure and a steady flow loses little of it. Loss per crossing 11.2e-3 δ/√A, about three times
-that of the vocal tract (Titze 2006, as used with Alzamendi et al. 2022).
+Generations 0 to 3 of Weibel's model A, the parallel tubes of a generation as one tube of their total area (Ishizaka,
+Matsudaira & Kaneko 1976; Titze 2006). They are 19.4 cm long; the effective acoustic length of the subglottal tract of
+men is 19.5 cm (Hanna, Smith & Wolfe 2018). Beyond, the total area flares and the tract acts as open. It ends in a
+resistance: a wave returns as −0.8 of itself (the lung end of Story's and Titze's simulations), so that the lung
+pressure reaches a glottis at rest and a steady flow loses little of it. Loss per crossing 11.2e-3 δ/√A, about three
+times that of the vocal tract (Titze 2006, as used with Alzamendi et al. 2022).
 
-Resonances with closed glottis: 430, 1335 and 2230 Hz, bandwidths about 150 Hz. In men some 550, 1350 and 2200 Hz are
+Resonances with closed glottis: 430, 1335 and 2230 Hz, bandwidths about 150 Hz. In men about 550, 1350 and 2200 Hz are
 measured (Lulich et al. 2012, approximate): the first is higher because the walls yield, which is not modelled.
 """
 

@@ -1,6 +1,6 @@
 """A vocal tract as equal tubes, its end at the lips, and its step-by-step simulation.
 
-Radiation from the lips (Flanagan 1972, piston in a baffle) is a resistance and an inertance side by side,
+Radiation from the lips (Flanagan 1972, piston in a baffle) is a resistance and an inertance in parallel,
 
     R = 128 Z/(9π²),   L = 8 a Z/(3π c),   Z = ρc/A_end,   a = √(A_end/π),   Z_rad(s) = s L R/(R + s L).
 

@@ -1,1 +1,1 @@
-"""The fold: assembled, gated, at rest and in motion."""
+"""The fold: assembly, stability bound, static shape, time march."""

@@ -1,4 +1,4 @@
-"""From a posture and its coefficients to the buffer the step works on."""
+"""Assembly of a fold: from a posture and its coefficients to the buffer that the step works on."""
 
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -13,12 +13,12 @@ from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.simulation import Simulation
 
-CACHE_LINE = 64  # octets
+CACHE_LINE = 64  # bytes
 
 
 @dataclass(frozen=True)
 class Fold:
-    """One prestrained fold on a grid: everything the equations need, nothing that moves.
+    """One prestrained fold on a grid: everything the equations need except the state.
 
     Arrays: ``x_m`` (nx,), ``y_m`` (ny,), ``medial_plane_m`` G (ny, nx), ``K_coup_pa_m`` (ny,),
     ``beam_matrix_n_m2`` (nx−2, nx−2) and ``beam_load_n_m`` (nx−2,).
@@ -46,7 +46,7 @@ class Fold:
 
 
 def assemble(request: Simulation, c: Coefficients, theta_g: float, theta_0: float) -> Fold:
-    """The fold of a request at a given posture (θ_g clipped at 0, θ_0 the rest angle, rad)."""
+    """The fold of a request at a given posture: ``theta_g`` is θ_g clipped at 0, ``theta_0`` the rest angle, rad."""
     nx, ny = request.run.nx, request.run.ny
     choices = request.model
     x = np.linspace(0.0, c.length_m, nx)
@@ -72,7 +72,7 @@ def assemble(request: Simulation, c: Coefficients, theta_g: float, theta_0: floa
 
 
 def with_constants(fold: Fold, **changes: float) -> Fold:
-    """The same fold with some constants of the moving equations replaced (dampers, contact)."""
+    """The same fold with other constants of motion (dampers, contact); its coefficients stay."""
     return replace(fold, constants=replace(fold.constants, **changes))
 
 
@@ -81,22 +81,29 @@ def scalars(fold: Fold, time_step_s: float) -> np.ndarray:
     c = fold.coefficients
     return np.array(
         step_numbers(
-            time_step_s, fold.dx, fold.dy, c.membrane_tension_n_m, c.membrane_shear_n_m,
-            c.membrane_shear_viscosity_n_s_m, c.beam_density_kg_m, c.rotation_inertia_kg_m, fold.constants,
+            time_step_s,
+            fold.dx,
+            fold.dy,
+            c.membrane_tension_n_m,
+            c.membrane_shear_n_m,
+            c.membrane_shear_viscosity_n_s_m,
+            c.beam_density_kg_m,
+            c.rotation_inertia_kg_m,
+            fold.constants,
         )
-    )  # fmt: skip
+    )
 
 
 def empty_buffer(layout: Layout, precision: str = "float64") -> np.ndarray:
-    """Zeros (layout.size,) that start on a cache line, so that a run does not cost more by where it happens to lie."""
+    """Zeros (layout.size,) aligned to a cache line, so that speed does not depend on where the buffer is allocated."""
     size = np.dtype(precision).itemsize
-    octets = np.zeros(layout.size * size + CACHE_LINE, np.uint8)
-    start = -octets.ctypes.data % CACHE_LINE
-    return octets[start : start + layout.size * size].view(precision)
+    raw = np.zeros(layout.size * size + CACHE_LINE, np.uint8)
+    start = -raw.ctypes.data % CACHE_LINE
+    return raw[start : start + layout.size * size].view(precision)
 
 
 def new_buffer(fold: Fold, time_step_s: float) -> np.ndarray:
-    """A buffer with the fixed fields filled and the state at rest (flat, unmoving)."""
+    """A buffer with the fixed fields filled and the state flat and at rest."""
     layout = Layout(fold.nx, fold.ny)
     buffer = empty_buffer(layout)
     fill(buffer, layout, 0, fold, time_step_s)
@@ -104,8 +111,11 @@ def new_buffer(fold: Fold, time_step_s: float) -> np.ndarray:
 
 
 class Fixed(NamedTuple):
-    """Views of the fixed fields of one fold in a buffer, by their names in layout.py. ``beam``: what solves for it, of
-    one fold the inverse (nx−2, nx−2), transposed as it is stored, of many the factors per_D, a and c (3, nx−2)."""
+    """Views of the fixed fields of one fold in a buffer, by their names in layout.py.
+
+    ``beam``: in a buffer of one fold the inverse of the implicit matrix (nx−2, nx−2), stored transposed; in a buffer of
+    several folds its factors 1/D, a and c (3, nx−2).
+    """
 
     G: np.ndarray
     medial: np.ndarray
@@ -118,7 +128,7 @@ class Fixed(NamedTuple):
 
 
 def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
-    """Where the fixed fields of number ``place`` of the folds side by side in ``buffer`` stand."""
+    """The fixed fields of fold number ``place`` in ``buffer``."""
     first, nx, ny = layout.anterior, layout.nx, layout.ny
 
     rows = layout.K_coup
@@ -126,16 +136,16 @@ def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
     def inner(name: str) -> np.ndarray:
         return _line(buffer, layout, name)[first + 1 : first + nx - 1, place]
 
-    if layout.postures == 1:
+    if layout.folds == 1:
         beam = buffer[layout.beam_inverse :].reshape(nx - 2, layout.columns)[:, : nx - 2]
     else:
-        lines = layout.line("per_D"), layout.line("beyond")
-        beam = buffer[slice(*lines)].reshape(3, -1, layout.postures)[:, first + 1 : first + nx - 1, place]
+        lines = layout.line("inv_D"), layout.line("beyond")
+        beam = buffer[slice(*lines)].reshape(3, -1, layout.folds)[:, first + 1 : first + nx - 1, place]
     field = _field(buffer, layout, "G")[:, :, place]
     return Fixed(
         field,
         field[:, first : first + nx],
-        buffer[rows : rows + ny * layout.postures].reshape(ny, layout.postures)[:, place],
+        buffer[rows : rows + ny * layout.folds].reshape(ny, layout.folds)[:, place],
         inner("inverse_density"),
         _line(buffer, layout, "width")[first + 1 : first + nx, place],
         _line(buffer, layout, "column")[:, place],
@@ -145,10 +155,10 @@ def fixed(buffer: np.ndarray, layout: Layout, place: int) -> Fixed:
 
 
 def fill(buffer: np.ndarray, layout: Layout, place: int, fold: Fold, time_step_s: float) -> None:
-    """Write the fixed fields of ``fold`` as number ``place`` of the folds side by side in ``buffer``."""
+    """Write the fixed fields of ``fold`` as fold number ``place`` of ``buffer``."""
     views = fixed(buffer, layout, place)
     views.G[:] = 1.0  # idle columns: far from contact
-    views.column[:] = np.arange(layout.stride // layout.postures) - layout.anterior
+    views.column[:] = np.arange(layout.stride // layout.folds) - layout.anterior
     c = fold.coefficients
     views.medial[:] = fold.medial_plane_m
     views.K_coup[:] = fold.K_coup_pa_m
@@ -157,7 +167,7 @@ def fill(buffer: np.ndarray, layout: Layout, place: int, fold: Fold, time_step_s
     views.width[-1] = 0.5 * fold.dx
     views.beam_load[:] = fold.beam_load_n_m / c.beam_density_kg_m
     M = np.eye(fold.nx - 2) - 0.25 * time_step_s**2 / c.beam_density_kg_m * fold.beam_matrix_n_m2
-    views.beam[:] = np.linalg.inv(M).T if layout.postures == 1 else _factors(M)
+    views.beam[:] = np.linalg.inv(M).T if layout.folds == 1 else _factors(M)
 
 
 def _factors(M: np.ndarray) -> np.ndarray:
@@ -169,26 +179,26 @@ def _factors(M: np.ndarray) -> np.ndarray:
 
 def _field(buffer: np.ndarray, layout: Layout, name: str) -> np.ndarray:
     start = layout.field(name)
-    return buffer[start : start + layout.ny * layout.stride].reshape(layout.ny, -1, layout.postures)
+    return buffer[start : start + layout.ny * layout.stride].reshape(layout.ny, -1, layout.folds)
 
 
 def _line(buffer: np.ndarray, layout: Layout, name: str) -> np.ndarray:
     start = layout.line(name)
-    return buffer[start : start + layout.stride].reshape(-1, layout.postures)
+    return buffer[start : start + layout.stride].reshape(-1, layout.folds)
 
 
 def membranes(buffer: np.ndarray, layout: Layout, name: str = "w") -> np.ndarray:
-    """A view (ny, nx, postures) of a field of the buffer, ends included."""
+    """A view (ny, nx, folds) of a field of the buffer, ends included."""
     return _field(buffer, layout, name)[:, layout.anterior : layout.anterior + layout.nx]
 
 
 def beams(buffer: np.ndarray, layout: Layout, name: str = "w_b") -> np.ndarray:
-    """A view (nx, postures) of a line of the buffer, ends included."""
+    """A view (nx, folds) of a line of the buffer, ends included."""
     return _line(buffer, layout, name)[layout.anterior : layout.anterior + layout.nx]
 
 
 def beyond(buffer: np.ndarray, layout: Layout) -> np.ndarray:
-    """A view (lanes,) of what the last steps saw: not 0 where a displacement was beyond all bounds."""
+    """A view (lanes,): not 0 for a fold whose displacement passed LARGEST_DISPLACEMENT_M in the last steps."""
     start = layout.line("beyond")
     return buffer[start : start + layout.lanes]
 

@@ -1,16 +1,16 @@
-"""The closure pattern of a glottis, named as the clinic names it.
+"""The closure pattern of a glottis, with its clinical name.
 
 From the smallest gap of each slice, gap(x) from the anterior commissure (x = 0) to the vocal
 process (x = L). A slice is closed when its gap is below ``CLOSED_GAP_M``. Regions count when
 they are longer than ``SHORTEST_REGION`` of the length; the first node (the commissure, always
-closed) is left out.
+closed) is excluded.
 
-complete            closed all along
-posterior_opening   open at the back only
-anterior_opening    open in front only
-spindle             open in the middle, closed in front and at the back
-hourglass           closed in the middle, open in front and at the back
-open                no contact anywhere
+complete            closed along the whole length
+posterior_opening   open posteriorly only
+anterior_opening    open anteriorly only
+spindle             open in the middle, closed at both ends
+hourglass           closed in the middle, open at both ends
+open                no contact
 
 Names: Södersten, Hertegård & Hammarberg (1995); the thresholds are this project's.
 """
@@ -54,13 +54,13 @@ def describe_closure(gap_m: np.ndarray, x_m: np.ndarray) -> ClosureShape:
         pattern = "hourglass"
     elif states[0] and states[-1]:
         pattern = "spindle"
-    else:  # several alternations: name it by the larger open end
+    else:  # several alternations: named by the open end
         pattern = "posterior_opening" if not states[-1] else "anterior_opening"
     return ClosureShape(pattern, fraction, area)
 
 
 def _long_runs(closed: np.ndarray) -> list[tuple[bool, int]]:
-    """Runs of equal state, those shorter than SHORTEST_REGION merged into their neighbours."""
+    """Runs of equal state (closed or open) and their lengths; runs up to SHORTEST_REGION are dropped."""
     pieces = [(state, len(list(run))) for state, run in groupby(closed.tolist())]
     shortest = SHORTEST_REGION * len(closed)
     kept = [piece for piece in pieces if piece[1] > shortest] or [(bool(closed.mean() > 0.5), len(closed))]

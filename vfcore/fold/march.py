@@ -1,6 +1,6 @@
-"""A fold in motion: the state and the loop that advances it in chunks.
+"""Time march of one fold: its state, and the loop that advances it in chunks.
 
-Chunks of 40 ms of voice or less keep progress real and cancel prompt.
+Between chunks of at most 40 ms of voice, progress is reported and a cancelled run stops.
 """
 
 import math
@@ -19,23 +19,27 @@ from vfcore.kernels.surface import surface_pressures
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 CHUNK_S = 40e-3
-#: Fine grids and short steps take shorter chunks: this many nodes times steps are some 10 ms of work.
+#: Fine grids and short steps take shorter chunks: this many nodes times steps, about 10 ms of work.
 CHUNK_NODE_STEPS = 5e6
-FLAT_BUMP_M = 1e-9  # the start of an earlier version of the model
-#: Checkpoints are kept for reading back one cycle within this time from the end of the run.
+FLAT_BUMP_M = 1e-9  # initial displacement of a flat start, as in an earlier version of the model
+#: A cycle can be read back if it begins within this time before the end of the run.
 READABLE_S = 0.25
 
 
-class March:
-    """State of one fold under the step; times count from its start.
+class TimeMarch:
+    """State of one fold under the step; time counts from its start.
 
-    ``record_every`` steps make one recorded sample, so that the record comes at about 28 kHz for any step.
+    Every ``record_every``-th step is recorded, so the record has about 28 kHz for any time step.
     """
 
     def __init__(
-        self, fold: assemble.Fold, time_step_s: float, pressure_pa: float, rise_s: float = 0.0,
+        self,
+        fold: assemble.Fold,
+        time_step_s: float,
+        pressure_pa: float,
+        rise_s: float = 0.0,
         airways: Airways | None = None,
-    ):  # fmt: skip
+    ):
         self.fold = fold
         self.time_step_s = time_step_s
         self.pressure_pa, self.rise_s = pressure_pa, rise_s
@@ -56,14 +60,14 @@ class March:
         assemble.membrane(self.buffer, self.fold)[:] = flat_bump(self.fold)
 
     def start_static(self, shape: StaticShape) -> None:
-        """The static shape, unmoving; with the rotation equation φ = ∂_y w, where the shear vanishes."""
+        """The static shape, at rest. With the rotation equation φ = ∂_y w, so that the shear is 0."""
         assemble.membrane(self.buffer, self.fold)[:] = shape.w_m
         assemble.beam(self.buffer, self.fold)[:] = shape.w_b
         if self.fold.rotation:
             assemble.membrane(self.buffer, self.fold, "phi")[:-1] = np.diff(shape.w_m, axis=0) / self.fold.dy
 
     def pressure_at(self, steps: np.ndarray) -> np.ndarray:
-        """Lung pressure at the given step numbers, Pa; to be read only."""
+        """Lung pressure at the given step numbers, Pa; do not write to it."""
         if self.rise_s > 0.0:
             return self.pressure_pa * np.minimum(steps * self.time_step_s / self.rise_s, 1.0)
         if len(steps) > len(self._steady_pa):
@@ -78,7 +82,8 @@ class March:
     ) -> np.ndarray:
         """Advance until ``samples`` are recorded; (samples, len(RECORD)), layout.RECORD.
 
-        Raises Cancelled when ``stop()`` is true between chunks, DivergenceError when the fold leaves all bounds.
+        Raises Cancelled if ``stop()`` returns true between chunks, DivergenceError if a displacement passes
+        LARGEST_DISPLACEMENT_M.
         """
         record = np.empty((samples, len(RECORD)))
         for begin in range(0, samples, self._per_chunk):
@@ -109,10 +114,10 @@ class March:
                 raise diverged(self.fold, self.time_step_s, step, beyond)
 
     def cycle(self, first_sample: int, last_sample: int, phases: int) -> dict[str, np.ndarray]:
-        """Fields at ``phases`` evenly spaced times in [first_sample, last_sample), read back from a checkpoint.
+        """Fields at ``phases`` evenly spaced times in [first_sample, last_sample), recomputed from a checkpoint.
 
         Returns cycle_time_s (p,), cycle_w_m, cycle_aerodynamic_pressure_pa, cycle_contact_pressure_pa (p, nx, ny)
-        and cycle_wb_m (p, nx). The march itself is left where it was.
+        and cycle_wb_m (p, nx). The state of the march does not change.
         """
         fold, k = self.fold, self.fold.constants
         wanted = np.linspace(first_sample, last_sample, phases, endpoint=False) * self.record_every
@@ -131,11 +136,22 @@ class March:
                 self._advance(buffer, self.scalars, self.pressure_at(steps), len(steps), scratch, air)
                 at = step
             w_m[phase], w_b[phase] = w, beam
+            inlet, outlet = self._glottal_pressures(buffer, air, step)
             surface_pressures(
-                w_m[phase], velocity, fold.medial_plane_m, *self._around_the_glottis(buffer, air, step), fold.dy,
-                k.alpha_s, 0.5 * k.rho_a_kg_m3, 12.0 * k.mu_a_pa_s, k.K_col_pa_m, k.C_col_pa_s_m,
-                p_aero[phase], p_col[phase],
-            )  # fmt: skip
+                w_m[phase],
+                velocity,
+                fold.medial_plane_m,
+                inlet,
+                outlet,
+                fold.dy,
+                k.alpha_s,
+                0.5 * k.rho_a_kg_m3,
+                12.0 * k.mu_a_pa_s,
+                k.K_col_pa_m,
+                k.C_col_pa_s_m,
+                p_aero[phase],
+                p_col[phase],
+            )
         return {
             "cycle_time_s": wanted * self.time_step_s,
             "cycle_w_m": w_m.transpose(0, 2, 1),
@@ -144,8 +160,8 @@ class March:
             "cycle_contact_pressure_pa": p_col.transpose(0, 2, 1),
         }
 
-    def _around_the_glottis(self, buffer: np.ndarray, air: np.ndarray | None, step: int) -> tuple[float, float]:
-        """Pressure at inlet and outlet, Pa, that the step from this state on would use; the state stays."""
+    def _glottal_pressures(self, buffer: np.ndarray, air: np.ndarray | None, step: int) -> tuple[float, float]:
+        """Pressures at inlet and outlet, Pa, that the next step would use; the state does not change."""
         lungs = self.pressure_at(np.array([step]))
         if air is None:
             return lungs[0], 0.0
@@ -155,7 +171,7 @@ class March:
 
     @property
     def oldest_sample(self) -> int:
-        """The first recorded sample that ``cycle`` can still read back."""
+        """The first recorded sample that ``cycle`` can still recompute."""
         return -(-self._checkpoints[0][0] // self.record_every)
 
 
@@ -164,12 +180,12 @@ def _copied(air: np.ndarray | None) -> np.ndarray | None:
 
 
 def record_every(time_step_s: float) -> int:
-    """Steps per recorded sample, so that the record comes at about 28 kHz for any step."""
+    """Steps per recorded sample; the record then has about 28 kHz for any time step."""
     return max(1, math.floor(DEFAULT_STEP_S / time_step_s + 1e-9))
 
 
 def samples_per_chunk(fold: assemble.Fold, time_step_s: float) -> int:
-    """Recorded samples between two looks at progress, stop and divergence."""
+    """Recorded samples per chunk, after which progress is reported, and stop and divergence are checked."""
     steps = min(CHUNK_S / time_step_s, CHUNK_NODE_STEPS / (fold.nx * fold.ny))
     return max(1, round(steps / record_every(time_step_s)))
 
@@ -182,7 +198,7 @@ def flat_bump(fold: assemble.Fold) -> np.ndarray:
 
 
 def diverged(fold: assemble.Fold, time_step_s: float, step: int, beyond: np.ndarray) -> DivergenceError:
-    """The error of a fold that after ``step`` is out of bounds at the nodes ``beyond`` (ny, nx)."""
+    """The error of a fold whose displacement is out of bounds after ``step`` at the nodes ``beyond`` (ny, nx)."""
     j, i = np.argwhere(beyond)[0]
     return DivergenceError(
         (step + 1) * time_step_s,

@@ -1,8 +1,8 @@
-"""Many folds in motion: those alike side by side, one in each lane of the step.
+"""Time march of many folds: those with the same grid, step and length share a buffer, one fold per vector element.
 
-The numbers of a fold do not depend on its neighbours: each lane is arithmetic of its own, and a batch that is not full
-is filled with copies of its first fold. So a point of a sweep is the same, bit for bit, whatever batch it is in, and a
-fold that diverges disturbs no other. In single precision (twice the lanes) displacements carry seven digits.
+The result of a fold does not depend on the others: vector arithmetic is elementwise, and a batch that is not full is
+padded with copies of its first fold. So a point of a sweep is the same, bit for bit, in any batch, and a fold that
+diverges does not disturb the others. Single precision (twice as many folds per vector) has seven digits.
 """
 
 from collections import defaultdict
@@ -18,15 +18,15 @@ from vfcore.fold.statics import StaticShape
 from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M, step_kernel
 from vfcore.kernels.layout import LANES, RECORD, SCALARS, Layout
 
-#: The columns of layout.RECORD that folds differ in: beyond the glottis all are P_s and 0.
+#: The columns of layout.RECORD that are stored: without airways the other two are P_s and 0.
 OF_EACH = RECORD[: RECORD.index("inlet_pressure_pa")]
 FLOW = OF_EACH.index("glottal_flow_m3_s")
 
 
-class Motion(NamedTuple):
-    """One fold to be set in motion: from ``start``, or flat with a bump of 1 nm.
+class MarchInput(NamedTuple):
+    """One fold and how to march it: from ``start``, or flat with a bump of 1 nm.
 
-    ``left_out``: of how many of the first samples nothing is kept but the flow.
+    ``flow_only_samples``: number of samples at the beginning of which only the flow is stored.
     """
 
     fold: assemble.Fold
@@ -35,7 +35,7 @@ class Motion(NamedTuple):
     duration_s: float
     rise_s: float = 0.0
     start: StaticShape | None = None
-    left_out: int = 0
+    flow_only_samples: int = 0
 
     @property
     def sample_s(self) -> float:
@@ -43,76 +43,76 @@ class Motion(NamedTuple):
         return self.time_step_s * record_every(self.time_step_s)
 
 
-class Outcome(NamedTuple):
-    """The record (samples − left_out, len(OF_EACH)) of one fold and its flow (samples,), m³/s, each column contiguous
-    and in the precision of the march; or why there are none.
+class MarchResult(NamedTuple):
+    """The record (samples − flow_only_samples, len(OF_EACH)) of one fold and its flow (samples,), m³/s.
+
+    Each column is contiguous and has the precision of the march. ``sample_s``: time between two samples.
     """
 
-    record: np.ndarray | None
-    flow_m3_s: np.ndarray | None
+    record: np.ndarray
+    flow_m3_s: np.ndarray
     sample_s: float
-    problem: DivergenceError | None
 
 
 def march_many(
-    motions: Sequence[Motion],
+    inputs: Sequence[MarchInput],
     *,
     single_precision: bool = False,
     stop: Callable[[], bool] | None = None,
     progress: Callable[[float], None] | None = None,
-) -> Iterator[tuple[int, Outcome]]:
-    """March all and yield (index, outcome) as batches finish; a batch is marched when its first outcome is asked for.
+) -> Iterator[tuple[int, MarchResult | DivergenceError]]:
+    """March all inputs; yield (index, result or the error of a fold that diverged) as batches finish.
 
-    ``progress(fraction)`` of all steps is told, and ``stop()`` asked, between chunks of 40 ms of voice or less;
-    Cancelled is raised when it answers true. The step holds no GIL: several threads may march at a time.
+    A batch is marched when its first result is requested. Between chunks of at most 40 ms of voice ``progress`` is
+    called with the finished fraction, and ``stop()`` is checked; if it returns true, Cancelled is raised. The step
+    releases the GIL, so several threads can march at the same time.
     """
     precision = "float32" if single_precision else "float64"
     alike: dict[tuple, list[int]] = defaultdict(list)
-    for index, motion in enumerate(motions):
-        fold, samples = motion.fold, round(motion.duration_s / motion.sample_s)
-        alike[fold.nx, fold.ny, fold.rotation, motion.time_step_s, motion.left_out, samples].append(index)
-    together = LANES[precision]
+    for index, one in enumerate(inputs):
+        fold, samples = one.fold, round(one.duration_s / one.sample_s)
+        alike[fold.nx, fold.ny, fold.rotation, one.time_step_s, one.flow_only_samples, samples].append(index)
+    size = LANES[precision]
     batches = [
-        (key[-1], members[begin : begin + together])
+        (key[-1], members[begin : begin + size])
         for key, members in alike.items()
-        for begin in range(0, len(members), together)
+        for begin in range(0, len(members), size)
     ]
     for done, (samples, members) in enumerate(batches):
-        batch = _Batch([motions[index] for index in members], precision)
-        told = (lambda part, done=done: progress((done + part) / len(batches))) if progress is not None else None
-        records, flows = batch.run(samples, told, stop)
+        batch = _Batch([inputs[index] for index in members], precision)
+        report = (lambda part, done=done: progress((done + part) / len(batches))) if progress is not None else None
+        records, flows = batch.run(samples, report, stop)
         for place, index in enumerate(members):
-            problem, sample_s = batch.problems[place], motions[index].sample_s
-            found = (records[place].T, flows[place]) if problem is None else (None, None)
-            yield index, Outcome(*found, sample_s, problem)
+            error = batch.errors[place]
+            yield index, error or MarchResult(records[place].T, flows[place], inputs[index].sample_s)
 
 
 class _Batch:
-    """Up to LANES[precision] folds of one grid, step and length, side by side in one buffer."""
+    """Up to LANES[precision] folds of the same grid, step and length in one buffer."""
 
-    def __init__(self, motions: Sequence[Motion], precision: str):
-        first = motions[0].fold
-        self.motions, self.folds = motions, LANES[precision]
-        self.time_step_s, self.left_out = motions[0].time_step_s, motions[0].left_out
+    def __init__(self, inputs: Sequence[MarchInput], precision: str):
+        first = inputs[0].fold
+        self.inputs, self.folds = inputs, LANES[precision]
+        self.time_step_s, self.flow_only_samples = inputs[0].time_step_s, inputs[0].flow_only_samples
         self.record_every = record_every(self.time_step_s)
-        self.problems: list[DivergenceError | None] = [None] * len(motions)
+        self.errors: list[DivergenceError | None] = [None] * len(inputs)
         self.layout = Layout(first.nx, first.ny, self.folds, self.folds)
         self.buffer = assemble.empty_buffer(self.layout, precision)
-        self._beyond = assemble.beyond(self.buffer, self.layout)[: len(motions)]
+        self._beyond = assemble.beyond(self.buffer, self.layout)[: len(inputs)]
         self.scalars = np.empty((len(SCALARS), self.folds), precision)
-        filled = [*motions, *[motions[0]] * (self.folds - len(motions))]
-        for place, motion in enumerate(filled):
-            assemble.fill(self.buffer, self.layout, place, motion.fold, self.time_step_s)
-            self.scalars[:, place] = assemble.scalars(motion.fold, self.time_step_s)
-            self._start(place, motion)
+        padded = [*inputs, *[inputs[0]] * (self.folds - len(inputs))]
+        for place, one in enumerate(padded):
+            assemble.fill(self.buffer, self.layout, place, one.fold, self.time_step_s)
+            self.scalars[:, place] = assemble.scalars(one.fold, self.time_step_s)
+            self._start(place, one)
         self._advance = step_kernel(first.nx, first.ny, first.rotation, precision, many=True)
         self._before = self.buffer.copy()
-        self._pressure_pa = np.array([motion.pressure_pa for motion in filled])
+        self._pressure_pa = np.array([one.pressure_pa for one in padded])
         self._steady_pa = np.empty((0, self.folds), precision)
-        self._rise_s = np.array([motion.rise_s for motion in filled])
+        self._rise_s = np.array([one.rise_s for one in padded])
 
-    def _start(self, place: int, motion: Motion) -> None:
-        fold, shape = motion.fold, motion.start
+    def _start(self, place: int, one: MarchInput) -> None:
+        fold, shape = one.fold, one.start
         w = assemble.membranes(self.buffer, self.layout)[:, :, place]
         if shape is None:
             w[:] = flat_bump(fold)
@@ -125,18 +125,19 @@ class _Batch:
     def run(
         self, samples: int, progress: Callable[[float], None] | None, stop: Callable[[], bool] | None
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Records (len(motions), len(OF_EACH), samples − left_out) and flows (len(motions), samples); a fold in
-        ``problems`` has none.
+        """Records (len(inputs), len(OF_EACH), samples − flow_only_samples) and flows (len(inputs), samples).
+
+        Those of a fold with an entry in ``errors`` are meaningless.
         """
-        kind, count, skip = self.buffer.dtype, len(self.motions), self.left_out
+        kind, count, skip = self.buffer.dtype, len(self.inputs), self.flow_only_samples
         records, flows = np.empty((count, len(OF_EACH), samples - skip), kind), np.empty((count, samples), kind)
-        per_chunk = samples_per_chunk(self.motions[0].fold, self.time_step_s)
-        room = np.empty((min(per_chunk, samples), len(RECORD), self.folds), self.buffer.dtype)
+        per_chunk = samples_per_chunk(self.inputs[0].fold, self.time_step_s)
+        chunk_record = np.empty((min(per_chunk, samples), len(RECORD), self.folds), self.buffer.dtype)
         for begin in range(0, samples, per_chunk):
             if stop is not None and stop():
                 raise Cancelled("the run was stopped")
             end = min(begin + per_chunk, samples)
-            chunk = room[: end - begin]
+            chunk = chunk_record[: end - begin]
             self._chunk(begin, chunk)
             flows[:, begin:end] = chunk[:, FLOW, :count].T
             if end > skip:
@@ -144,7 +145,7 @@ class _Batch:
                 records[:, :, max(begin - skip, 0) : end - skip] = kept.transpose(2, 1, 0)
             if progress is not None:
                 progress(end / samples)
-            if None not in self.problems:
+            if None not in self.errors:
                 break
         return records, flows
 
@@ -153,16 +154,16 @@ class _Batch:
         first = first_sample * self.record_every
         steps = np.arange(first, first + len(record) * self.record_every)
         self._step(self.buffer, steps, self.record_every, record)
-        fresh = [place for place in np.flatnonzero(self._beyond) if self.problems[place] is None]
-        if fresh:
-            self._locate(fresh, self._before, steps)
+        diverging = [place for place in np.flatnonzero(self._beyond).tolist() if self.errors[place] is None]
+        if diverging:
+            self._locate(diverging, self._before, steps)
 
     def _step(self, buffer: np.ndarray, steps: np.ndarray, every: int, record: np.ndarray) -> None:
         pressures = self._pressures_at(steps)
         self._advance(buffer, self.scalars.reshape(-1), pressures.reshape(-1), every, record.reshape(-1))
 
     def _pressures_at(self, steps: np.ndarray) -> np.ndarray:
-        """Lung pressure (steps, folds), Pa; to be read only."""
+        """Lung pressure (steps, folds), Pa; do not write to it."""
         if len(steps) > len(self._steady_pa):
             self._steady_pa = np.tile(self._pressure_pa.astype(self.buffer.dtype), (len(steps), 1))
         pressures = self._steady_pa[: len(steps)]
@@ -173,14 +174,14 @@ class _Batch:
         return pressures
 
     def _locate(self, places: list[int], buffer: np.ndarray, steps: np.ndarray) -> None:
-        """Replay a chunk step by step and note, for each of ``places``, when and where it left the bounds."""
+        """Repeat a chunk step by step; store for each of ``places`` when and where it passed the bound."""
         scratch = np.empty((1, len(RECORD), self.folds), buffer.dtype)
         for step in steps:
             self._step(buffer, np.array([step]), 1, scratch)
-            beyond = ~(np.abs(assemble.membranes(buffer, self.layout)) < LARGEST_DISPLACEMENT_M)  # NaN is beyond, too
+            beyond = ~(np.abs(assemble.membranes(buffer, self.layout)) < LARGEST_DISPLACEMENT_M)  # true for NaN
             for place in [place for place in places if beyond[:, :, place].any()]:
-                fold = self.motions[place].fold
-                self.problems[place] = diverged(fold, self.time_step_s, step, beyond[:, :, place])
+                fold = self.inputs[place].fold
+                self.errors[place] = diverged(fold, self.time_step_s, step, beyond[:, :, place])
                 places.remove(place)
             if not places:
                 return

@@ -1,6 +1,6 @@
-"""The static shape: the fold at rest with no lung pressure, by a direct solve with contact.
+"""The static shape: the equilibrium of a fold without lung pressure, with contact.
 
-Equations, their symmetric form and the search for the contact set: vfcore/kernels/static.py.
+Equations, symmetric form and search for the contact set: vfcore/kernels/static.py.
 """
 
 from dataclasses import dataclass
@@ -34,7 +34,7 @@ class StaticShape:
 def static_shape_of(fold: Fold) -> StaticShape:
     """Solve for the equilibrium of ``fold`` at P_s = 0.
 
-    Raises StaticShapeError when the contact set does not settle.
+    Raises StaticShapeError if the contact set does not settle.
     """
     ny, n, block = fold.ny, fold.nx - 2, fold.ny + 1
     c, k = fold.coefficients, fold.constants
@@ -42,11 +42,20 @@ def static_shape_of(fold: Fold) -> StaticShape:
     solution = np.empty((n, block))
     iterations = equilibrium_with_contact(
         c.membrane_tension_n_m / fold.dx**2,
-        0.0 if fold.rotation else c.membrane_shear_n_m / fold.dy**2,  # φ follows: no static shear
-        fold.dy, fold.K_coup_pa_m, k.K_foun_pa, k.K_col_pa_m, fold.beam_matrix_n_m2, fold.beam_load_n_m,
-        np.ascontiguousarray(fold.medial_plane_m[:, 1:-1]), MAX_ITERATIONS,
-        free, np.empty_like(free), np.empty((ny, n), dtype=np.bool_), solution,
-    )  # fmt: skip
+        0.0 if fold.rotation else c.membrane_shear_n_m / fold.dy**2,  # φ = ∂_y w: no static shear
+        fold.dy,
+        fold.K_coup_pa_m,
+        k.K_foun_pa,
+        k.K_col_pa_m,
+        fold.beam_matrix_n_m2,
+        fold.beam_load_n_m,
+        np.ascontiguousarray(fold.medial_plane_m[:, 1:-1]),
+        MAX_ITERATIONS,
+        free,
+        np.empty_like(free),
+        np.empty((ny, n), dtype=np.bool_),
+        solution,
+    )
     if iterations < 0:
         what = "has no solution" if iterations == NO_SOLUTION else f"did not settle after {MAX_ITERATIONS} solves"
         raise StaticShapeError(f"the static contact {what}; try another posture, a softer K_col_pa_m or a coarser grid")

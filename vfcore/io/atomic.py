@@ -1,4 +1,4 @@
-"""Files appear whole or not at all: written beside their place under another name, then renamed."""
+"""Files appear whole or not at all: written in the same folder under another name, then renamed."""
 
 import os
 import tempfile
@@ -14,7 +14,7 @@ def replacing(path: str | os.PathLike) -> Iterator[Path]:
     Raises OSError when the folder does not exist or cannot be written.
     """
     target = Path(path)
-    # A folder of one's own, unlike mkstemp's file, leaves the permissions to the umask.
+    # A file in a new folder, unlike that of mkstemp, gets its permissions from the umask.
     with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
         draft = Path(folder) / target.name
         yield draft

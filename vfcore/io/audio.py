@@ -48,7 +48,7 @@ def render(pressure_pa: np.ndarray, sample_rate_hz: float, rate_hz: float = AUDI
     ratio = Fraction(rate_hz / sample_rate_hz).limit_denominator(LARGEST_FACTOR)
     exact = abs(ratio * sample_rate_hz / rate_hz - 1) < 1e-9 and ratio.numerator <= LARGEST_FACTOR
     if exact:
-        return _band_limited(pressure, ratio.numerator, ratio.denominator, float(min(1, ratio)))
+        return _band_limited(pressure, ratio.numerator, ratio.denominator, min(1.0, float(ratio)))
     fast = SPLINE_RATE_HZ * max(1, rate_hz / AUDIO_RATE_HZ)
     if sample_rate_hz < fast:
         up, down = math.ceil(fast / sample_rate_hz), 1

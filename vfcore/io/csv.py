@@ -12,7 +12,7 @@ ERROR_COLUMNS = ("error_half_width", "error_reason")
 
 
 def csv_text(result: SimulationResult) -> str:
-    """A header, the phonation state, then every measure of the catalogue, with error bars where they were asked for.
+    """A header, the phonation state, then every measure of the catalogue, with error bars where they were estimated.
 
     Numbers are written so that they read back exactly; a missing value is an empty cell with a reason.
     """

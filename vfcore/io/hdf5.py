@@ -2,7 +2,7 @@
 
 A netCDF-4 file is HDF5 with dimension scales (Unidata, "NetCDF-4 File Format"): one scale per dimension, its length
 in its name where no variable belongs to it, a ``_Netcdf4Dimid``, and scales attached to every variable. Writing these
-directly takes a fifth of the time that xarray or h5netcdf need for a result of some fifty variables.
+directly takes a fifth of the time that xarray or h5netcdf need for a result of about fifty variables.
 A variable named like its only dimension is a coordinate: it is the scale itself.
 """
 
@@ -26,8 +26,8 @@ class Variable(NamedTuple):
 def write_variables(file: Any, variables: Mapping[str, Variable], attributes: Mapping[str, str | float]) -> None:
     """Write to ``file``, a path or a writable binary file object.
 
-    Whole numbers stay such, other numbers become float64. ValueError when two variables disagree on the length of a
-    dimension, or one is named like a dimension it is no coordinate of.
+    Whole numbers stay whole, other numbers become float64. ValueError when two variables disagree on the length of a
+    dimension, or one that is no coordinate is named like a dimension.
     """
     sizes = _sizes(variables)
     with h5py.File(file, "w", track_order=True) as root:

@@ -1,8 +1,8 @@
-"""A finished run as one netCDF-4 file: waveforms, one cycle of fields, measures, and all it takes to run it again.
+"""A finished run as one netCDF-4 file: waveforms, one cycle of fields, measures, and the request that repeats it.
 
 Variables: every array of ``vfcore.runs.result.ARRAYS`` under its name, float64; every measure as the scalar
 ``measure_<key>`` (NaN with a ``reason`` where there is none), with its error bar as ``error_half_width`` and
-``error_limit`` where the request asked for it; posture and coefficients as ``posture_<name>`` and
+``error_limit`` where the request has an error estimate; posture and coefficients as ``posture_<name>`` and
 ``coefficient_<name>``. Attributes of the file: phonation state, provenance, and the request as JSON.
 """
 
@@ -26,7 +26,7 @@ def write_netcdf(result: SimulationResult, path: str | os.PathLike) -> None:
 
 
 def netcdf_bytes(result: SimulationResult) -> bytes:
-    """The same file as octets."""
+    """The same file as bytes."""
     buffer = io.BytesIO()
     write_variables(buffer, *_content(result))
     return buffer.getvalue()
@@ -52,7 +52,7 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
             variables[f"{prefix}_{name}"] = Variable((), float("nan") if value is None else float(value), attributes)
     provenance = document["provenance"]
     request = provenance.pop("request")
-    attributes = {
+    about: dict[str, str | float] = {
         "title": "Vocalis simulation of a vocal fold",
         "source": f"Vocalis {provenance['code_version']}, model {provenance['model_version']}",
         "references": PAPER,
@@ -66,11 +66,11 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
         **provenance,
         "request": json_text(request),
     }
-    return variables, attributes
+    return variables, about
 
 
 def _bar_of(document: dict[str, Any], key: str) -> dict[str, Any]:
-    """Attributes that hold the error bar of a measure, where one was asked for (NaN with a reason for none)."""
+    """Attributes that hold the error bar of a measure, where they were estimated (NaN with a reason for none)."""
     if document["error_estimate"] is None:
         return {}
     bar = document["error_estimate"]["measures"][key]

@@ -1,6 +1,6 @@
 """Results as plain values for JSON: what the command line prints and the server answers.
 
-One shape for both. Keys carry units. A number that is not finite becomes null, with the reason beside it (a
+One shape for both. Keys carry units. A number that is not finite becomes null with a reason (a
 measure's own ``reason``, otherwise ``null_reasons`` by dotted path), so that every document is strict JSON.
 """
 
@@ -16,11 +16,11 @@ from vfcore.larynx.posture.solution import PostureSolution
 from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.measures.measure import Measure
 from vfcore.runs.error_estimate import METHOD
-from vfcore.runs.one import Prepared
+from vfcore.runs.one import FoldSetup
 from vfcore.runs.result import ARRAYS, SimulationResult
 from vfcore.spec.request import document_of
 
-ARRAY_DTYPE = "float32"  # as octets on the wire; files and Python hold float64
+ARRAY_DTYPE = "float32"  # as bytes in answers; files and Python hold float64
 
 
 class Quantity(NamedTuple):
@@ -50,21 +50,21 @@ COEFFICIENTS = {
 _NOT_FINITE = "The computed value is not a finite number."
 
 
-def posture_document(prepared: Prepared) -> dict[str, Any]:
+def posture_document(setup: FoldSetup) -> dict[str, Any]:
     """Posture, coefficients and static shape of a request that has not been run."""
     return without_gaps(
         {
-            "posture": _posture(prepared.posture),
-            "coefficients": _coefficients(prepared.fold.coefficients),
-            "static_shape": _static_shape(prepared.static),
+            "posture": _posture(setup.posture),
+            "coefficients": _coefficients(setup.fold.coefficients),
+            "static_shape": _static_shape(setup.static),
         }
     )
 
 
 def result_document(result: SimulationResult) -> dict[str, Any]:
-    """Everything about a finished run but the arrays themselves, of which it says what there is."""
+    """Everything about a finished run; of the arrays only shape, unit and dimensions."""
     report = result.report
-    document = {
+    document: dict[str, Any] = {
         "kind": "simulation",
         "phonation_state": report.state,
         "explanation": report.explanation,
@@ -121,14 +121,14 @@ def _static_shape(shape: StaticShape) -> dict[str, Any]:
 
 
 def measure_document(measure: Measure) -> dict[str, Any]:
-    """A measure in the words of the API: value, unit, and the reason where there is no value."""
+    """A measure as the API has it: value, unit, and the reason where there is no value."""
     if measure.value is None or math.isfinite(measure.value):
         return dataclasses.asdict(measure)
     return {"value": None, "unit": measure.unit, "reason": measure.reason or _NOT_FINITE}
 
 
 def _error_estimate(result: SimulationResult) -> dict[str, Any] | None:
-    """Method, the runs compared, and per measure its bar in the measure's unit; None where none was asked for."""
+    """Method, the runs compared, and per measure its bar in the measure's unit; None where not estimated."""
     estimate = result.error_estimate
     if estimate is None:
         return None

@@ -1,6 +1,6 @@
 """A finished run as one file that can be read back to the same ``SimulationResult``, bit for bit.
 
-A zip of numpy arrays (``.npz``) with the rest as JSON beside them; zip checksums tell a damaged file.
+A zip of numpy arrays (``.npz``), one of which holds the rest as JSON; zip checksums show a damaged file.
 """
 
 import dataclasses
@@ -28,11 +28,11 @@ class DamagedFile(VocalisError):
 
 def save_result(result: SimulationResult, path: str | os.PathLike) -> int:
     """Write the file whole and on the disk, or not at all; returns its size in bytes. OSError as for ``replacing``."""
-    arrays: dict[str, np.ndarray] = {}
-    head = json.dumps(_plain(result, "", arrays))
+    arrays: dict[str, Any] = {}
+    arrays[_HEAD] = np.frombuffer(json.dumps(_plain(result, "", arrays)).encode(), np.uint8)
     with replacing(path) as draft:
         with open(draft, "wb") as file:
-            np.savez(file, **{_HEAD: np.frombuffer(head.encode(), np.uint8)}, **arrays)
+            np.savez(file, **arrays)
             file.flush()
             os.fsync(file.fileno())
         return draft.stat().st_size

@@ -1,12 +1,13 @@
-"""A symmetric matrix with two diagonals on either side, as the beam's implicit one: factors and inverse.
+"""Factors and inverse of a symmetric pentadiagonal matrix, the implicit one of the beam: M = I − dt²A/4.
 
-M = L D Lᵀ, with two diagonals in L. The diagonal of M varies, what stands beside it is ``first`` and ``second``
-everywhere (the end moments change the corners of the beam's only, vfcore/larynx/tissue/beam.py):
+M = L D Lᵀ, with two subdiagonals in L. The diagonal of M varies; its first and second off-diagonals are the constants
+``first`` and ``second`` (the end moments change only the two corners of the diagonal, vfcore/larynx/tissue/beam.py):
 
     D_i = m_ii − a_i² D_{i−1} − c_i² D_{i−2},   c_i = second/D_{i−2},   a_i = (first − c_i D_{i−2} a_{i−1})/D_{i−1}
 
-So that M x = r is y_i = r_i − a_i y_{i−1} − c_i y_{i−2}, then x_i = y_i/D_i − a_{i+1} x_{i+1} − c_{i+2} x_{i+2}. No
-pivoting: for matrices that are positive definite.
+M x = r is then solved by y_i = r_i − a_i y_{i−1} − c_i y_{i−2} and x_i = y_i/D_i − a_{i+1} x_{i+1} − c_{i+2} x_{i+2}.
+No pivoting: M must be positive definite, which holds where A has no positive eigenvalue. Dimensionless; direct, so
+exact but for rounding. Twin: np.linalg.inv (tests/physics/test_kernel_target.py).
 """
 
 from vfcore.kernels.jit import inlined
@@ -14,7 +15,7 @@ from vfcore.kernels.jit import inlined
 
 @inlined
 def factor(diagonal, first, second, a, c):
-    """Overwrite ``diagonal`` (n,) of M with D, and fill ``a`` and ``c`` (n,); both are 0 where they point beyond."""
+    """Overwrite ``diagonal`` (n,) of M with D, and fill ``a`` and ``c`` (n,); a_0, c_0 and c_1 are 0."""
     for i in range(diagonal.size):
         a[i] = c[i] = 0.0
         if i > 1:
@@ -28,7 +29,10 @@ def factor(diagonal, first, second, a, c):
 
 @inlined
 def invert(D, a, c, inverse, stride):
-    """Fill the first n columns of ``inverse``, n rows of ``stride`` numbers, from the factors (n,): all at once."""
+    """Fill the first n columns of ``inverse``, n rows of ``stride`` numbers, from the factors (n,).
+
+    The substitutions run on all n unit vectors at once, row by row.
+    """
     n = D.size
     for i in range(n):
         row = i * stride
@@ -41,9 +45,9 @@ def invert(D, a, c, inverse, stride):
             for k in range(n):
                 inverse[row + k] -= c[i] * inverse[row - 2 * stride + k]
     for i in range(n):
-        per = 1.0 / D[i]
+        inv_D = 1.0 / D[i]
         for k in range(n):
-            inverse[i * stride + k] *= per
+            inverse[i * stride + k] *= inv_D
     for j in range(n):
         i = n - 1 - j
         row = i * stride

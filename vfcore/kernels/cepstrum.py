@@ -1,6 +1,6 @@
-"""Frames of a sound before and after the transforms of the cepstral peak prominence (vfcore/measures/spectrum.py).
+"""Cepstral peak prominence: the work on frames before and after the FFTs (vfcore/measures/spectrum.py).
 
-Vectorised over whole arrays each line of this would write a quarter of a megabyte; here a frame stays in the cache.
+In numpy each line of this would write an array of 0.25 MB; here a frame stays in the cache.
 Twin: tests/support/measures_twin.py.
 """
 
@@ -9,8 +9,10 @@ from vfcore.kernels.jit import jit
 
 @jit
 def windowed_frames(wave, window, hop, frames):
-    """Fill the first len(window) of each of ``frames`` with stretches of ``wave`` ``hop`` apart, about their means,
-    windowed."""
+    """Fill the first len(window) numbers of each row of ``frames`` with a frame of ``wave``, windowed, mean removed.
+
+    Frames begin ``hop`` samples apart.
+    """
     count, length = len(frames), len(window)
     for f in range(count):
         stretch, mean = wave[f * hop : f * hop + length], 0.0
@@ -23,9 +25,9 @@ def windowed_frames(wave, window, hop, frames):
 
 @jit
 def relative_power(spectrum, least, power):
-    """Fill ``power`` (count, lines) with |``spectrum``|² over the largest of each frame, but at least ``least``.
+    """Fill ``power`` (count, lines) with |``spectrum``|² relative to the largest of its frame, at least ``least``.
 
-    ``spectrum`` (count, lines or more). False, and ``power`` means nothing, where a frame is silent.
+    ``spectrum`` (count, lines or more). Returns False if a frame is silent; ``power`` is then meaningless.
     """
     count, lines = power.shape
     for f in range(count):
@@ -43,8 +45,10 @@ def relative_power(spectrum, least, power):
 
 @jit
 def mean_prominence(cepstrum, fitted_from, first, last):
-    """Height of the largest of ``cepstrum`` (count, lines) from ``first`` to before ``last`` above the straight line
-    through those from ``fitted_from`` on, mean over frames.
+    """Height of the cepstral peak above the regression line, mean over frames.
+
+    The peak is the largest value of ``cepstrum`` (count, lines) in [``first``, ``last``). The line is fitted from
+    ``fitted_from`` to the end.
     """
     count, lines = cepstrum.shape
     middle, square, total = 0.5 * (fitted_from + lines - 1), 0.0, 0.0

@@ -1,7 +1,7 @@
-"""What each cycle of a wave holds: where it reaches a level, and when the glottis opens and closes in it.
+"""Per-cycle quantities of a wave: where it reaches a level, and when the glottis opens and closes.
 
-Cycle k is the samples [bounds[k], bounds[k+1]). The definitions are those of vfcore/measures/glottis.py and cycles.py;
-vectorised over samples they write and read a dozen arrays of the length of the wave, here they read it once.
+Cycle k is the samples [bounds[k], bounds[k+1]). The definitions are those of vfcore/measures/glottis.py and cycles.py.
+In numpy they need a dozen arrays of the length of the wave; here each function reads the wave once.
 Twin: tests/support/measures_twin.py.
 """
 
@@ -15,9 +15,7 @@ OPEN_FRACTION, OPENS, PEAKS, CLOSES = range(4)
 
 @jit
 def first_reached(wave, bounds, levels, places):
-    """Fill ``places`` (N,) with the sample of ``wave`` at which each cycle first reaches its level of ``levels`` (N,),
-    or with its last sample.
-    """
+    """Fill ``places`` (N,) with the first sample of each cycle at or above its level (N,), else its last sample."""
     for k in range(places.size):
         at = bounds[k]
         while at < bounds[k + 1] - 1 and wave[at] < levels[k]:
@@ -27,7 +25,7 @@ def first_reached(wave, bounds, levels, places):
 
 @jit
 def time_above(wave, bounds, levels, shares):
-    """Fill ``shares`` (N,) with the part of each cycle whose samples lie above its level of ``levels`` (N,)."""
+    """Fill ``shares`` (N,) with the fraction of each cycle during which ``wave`` is above ``levels`` (N,)."""
     for k in range(shares.size):
         cycle, level, count = wave[bounds[k] : bounds[k + 1]], levels[k], 0
         for value in cycle:
@@ -55,7 +53,7 @@ def lowest_near(wave, place, reach):
 
 @inlined
 def minima(wave, places):
-    """Fill ``places`` with the samples at which ``wave`` (n,) has a minimum, a flat one in its middle; how many."""
+    """Fill ``places`` with the samples of the minima of ``wave`` (n,), the middle of flat ones; return their number."""
     found, i = 0, 1
     while i < wave.size - 1:
         end = i
@@ -71,14 +69,14 @@ def minima(wave, places):
 
 @jit
 def spaced_minima(wave, distance, places):
-    """Fill ``places`` (n // 2,) with minima of ``wave`` (n,) at least ``distance`` samples apart; returns how many.
+    """Fill ``places`` (n // 2,) with minima of ``wave`` (n,) at least ``distance`` samples apart; return their number.
 
-    The lowest is kept and drives out those too near to it, then the lowest of those that are left, and so on; they come
-    in that order.
+    The lowest is kept and all nearer than ``distance`` are dropped, then the lowest of the rest, and so on. They are
+    returned in that order.
     """
     left = minima(wave, places)
     kept = 0
-    while kept < left:  # places[:kept] are kept, places[kept:left] are still to be judged
+    while kept < left:  # places[:kept] are kept, places[kept:left] are candidates
         best = kept
         for k in range(kept, left):
             if wave[places[k]] < wave[places[best]]:
@@ -111,12 +109,12 @@ def refined_each(wave, places, found):
 
 @inlined
 def crossing(area, at, outward, level, flank, first, last):
-    """How far (0 to 1 sample) before the open sample ``at`` the area crosses ``level``; ``outward`` points, as 1 or −1,
-    into the open phase. The samples from ``first`` to ``last`` are looked at.
+    """Distance (0 to 1 sample) from the open sample ``at`` back to where the area crosses ``level``.
 
-    The closed neighbour is used if it lies on the flank, that is, if the area falls further beyond it by more than
-    ``flank`` of the step across; else the parabola value + slope s + curve s² through the three open samples, s counted
-    towards the closed side.
+    ``outward``, 1 or −1, is the direction into the open phase; only samples from ``first`` to ``last`` are used. If the
+    closed neighbour lies on the flank, that is, if the area falls beyond it by more than ``flank`` of the step across
+    the level, interpolation is linear. Otherwise it is the parabola value + slope s + curve s² through three open
+    samples, s counted towards the closed side.
     """
     closed = area[at - outward]
     beyond = area[min(max(at - 2 * outward, first), last)]
@@ -129,17 +127,17 @@ def crossing(area, at, outward, level, flank, first, last):
         per_sample = value - closed
     else:
         per_sample = 0.5 * (math.sqrt(max(slope * slope - 4.0 * curve * height, 0.0)) - slope)
-    # A plateau right at the level has no slope: the crossing is the sample itself.
+    # A plateau at the level has no slope: the crossing is the sample itself.
     return min(max(height / per_sample, 0.0), 1.0) if per_sample > 0.0 else 0.0
 
 
 @jit
 def open_phases(area, bounds, largest_at, closed_fraction, flank, phases):
-    """Fill ``phases`` (4, N): share of the cycle that is open; when it opens, peaks and closes, in samples of ``area``.
+    """Fill ``phases`` (4, N): open fraction of the cycle; times of opening, peak and closing, in samples of ``area``.
 
-    ``area`` (n,), any unit; ``bounds`` (N + 1,), ``largest_at`` (N,) of each cycle. Open means above
-    ``closed_fraction`` of the largest area of the cycle. A cycle that never crosses that opens and closes at the minima
-    of the area near its bounds.
+    ``area`` (n,), any unit; ``bounds`` (N + 1,); ``largest_at`` (N,), sample of the largest area of each cycle. Open
+    means above ``closed_fraction`` of that largest area. A cycle that never crosses this level opens and closes at the
+    minima of the area near its bounds.
     """
     count = largest_at.size
     first, last = bounds[0], bounds[count] - 1

@@ -1,8 +1,8 @@
-"""The first two harmonics of a wave, each read at its exact frequency.
+"""Magnitudes of the first two harmonics of a wave, each at its exact frequency.
 
     |Σ_k x_k e^{i k φ}|,  φ = 2π f_o/f_s and twice that,  k = a B + b:  Σ_a e^{i a B φ} Σ_b x_{aB+b} e^{i b φ}
 
-so that of n samples 2√n sines are needed, and no sum waits for the one before it.
+With B near √n, n samples need about 2√n sines, and the inner sums do not depend on each other.
 """
 
 import math

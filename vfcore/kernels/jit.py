@@ -1,27 +1,24 @@
-"""The one place where a compile option is chosen, and where compiled code is kept.
+"""Compile options of every kernel, and the directory of the kernel cache.
 
 - ``nogil``: a run never blocks the other threads of a server.
-- ``error_model="numpy"``: a division by zero gives inf, as on paper, instead of a branch per division.
-- ``fastmath``: contraction, reassociation, reciprocals and signed zeros are free. ``nnan``
-  and ``ninf`` are left out on purpose: with them ``isnan`` may be optimised away, and a
-  diverging run would go unnoticed.
-- Cache: numba's own stamp looks at one file only, and is stale when a function called from
-  another file changes. So the cache directory is named by a hash of all kernel sources, and of
-  NUMBA_BOUNDSCHECK, which numba's key leaves out: a checked run would load unchecked code.
+- ``error_model="numpy"``: a division by zero gives inf, so there is no branch per division.
+- ``fastmath``: the compiler may contract, reassociate, use reciprocals and ignore signed zeros. ``nnan`` and ``ninf``
+  are excluded on purpose: with them ``isnan`` may be optimised away, and a diverging run would go unnoticed.
+- Cache: numba's own stamp covers one file only, and is stale when a function called from another file changes. So the
+  cache directory is named by a hash of all kernel sources and of NUMBA_BOUNDSCHECK, which numba's key leaves out: a
+  checked run would otherwise load unchecked code.
 """
 
 import hashlib
 import os
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any, TypeVar
 
 import numba
-import platformdirs
-from numba.extending import register_jitable
+from numba.extending import overload, register_jitable
 
-
-def data_directory() -> Path:
-    """Where Vocalis keeps compiled kernels and results: ``VOCALIS_DATA`` or the user's data folder."""
-    return Path(os.environ.get("VOCALIS_DATA") or platformdirs.user_data_dir("vocalis", appauthor=False))
+from vfcore.directories import data_directory
 
 
 def _source_hash() -> str:
@@ -32,36 +29,60 @@ def _source_hash() -> str:
     return digest.hexdigest()[:16]
 
 
+config: Any = numba.config  # its attributes are made at run time
 if "NUMBA_CACHE_DIR" not in os.environ:  # not exported: a child process may have another data directory
-    numba.config.CACHE_DIR = str(data_directory() / "kernels" / _source_hash())
+    config.CACHE_DIR = str(data_directory() / "kernels" / _source_hash())
 
 
 def kernel_directory() -> Path:
-    """Where the compiled kernels of this very source are kept."""
-    return Path(numba.config.CACHE_DIR)
+    """Cache directory of the present kernel sources."""
+    return Path(config.CACHE_DIR)
 
 
-ARITHMETIC = {"error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
-OPTIONS = {"nogil": True, "cache": True, **ARITHMETIC}
+ARITHMETIC: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
+OPTIONS: dict[str, Any] = {"nogil": True, "cache": True, **ARITHMETIC}
+
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-def jit(function):
+def jit(function: Function) -> Function:
     """Compile ``function`` with the project's options."""
     return numba.njit(**OPTIONS)(function)
 
 
-def inlined(function):
-    """The same for a function whose sums other compiled functions contain: it becomes part of each of them.
+def inlined(function: Function) -> Function:
+    """Compile ``function`` and force it inline wherever another compiled function calls it.
 
-    Otherwise a call may end in a copy of it that was compiled apart, or not, by what else the process has compiled or
-    loaded before; the copies differ in the order of their sums, and two processes in the last bit.
+    Without forced inlining numba may call a separately compiled copy, and the order of summation (the last bit) would
+    depend on what the process has compiled or loaded before.
     """
     return numba.njit(forceinline=True, **OPTIONS)(function)
 
 
-def formula(function):
-    """``function`` as it stands for Python; compiled, as ``inlined`` is, where compiled code calls it.
+def formula(function: Function) -> Function:
+    """A plain Python function that compiled code can call too, forced inline.
 
-    So that a formula which both need is written once, and Python keeps every bit of what it had without a compiler.
+    A formula that both need is written once, and its Python result does not depend on the compiler.
     """
     return register_jitable(forceinline=True, **ARITHMETIC)(function)
+
+
+def chosen_by_constants(function: Function, count: int) -> Callable[[Callable[..., Function]], Any]:
+    """Decorator of a chooser: a compiled call of ``function`` runs what the chooser returns, forced inline.
+
+    The first ``count`` arguments of ``function`` must be integer constants of the caller. The chooser gets their values
+    while the caller is compiled, so they, and not what is chosen, are part of the caller's cache key. Interpreted,
+    ``function`` itself is called.
+    """
+    options: Any = {"forceinline": True, **ARITHMETIC}
+
+    def decorate(chooser: Callable[..., Function]) -> Any:
+        def choose(*arguments):
+            constants = arguments[:count]
+            if all(isinstance(constant, numba.types.IntegerLiteral) for constant in constants):
+                return chooser(*(constant.literal_value for constant in constants))
+            return None
+
+        return overload(function, prefer_literal=True, strict=False, jit_options=options)(choose)
+
+    return decorate

@@ -1,10 +1,9 @@
-"""Where each field of one fold, or of several side by side, lives in the one flat buffer that the step works on.
+"""Layout of the flat buffer that the step works on: offsets of every field of one fold, or of several folds.
 
-A field is ``ny`` rows (y = 0 first) of ``stride`` numbers: columns along x, each of ``postures`` neighbouring numbers,
-one per fold. Column 0 is the anterior end x = 0, column nx−1 the posterior end; both are held at rest by a zero
-inverse density. The step works on ``lanes`` neighbours at a time, from column 1 on: on columns of one fold
-(``postures = 1``; a few idle columns ride along to fill the last lanes), or on the same column of ``lanes`` folds
-(``postures = lanes``).
+A field has ``ny`` rows (y = 0 first) of ``stride`` numbers: columns along x, each of ``folds`` adjacent numbers, one
+per fold. Column 0 is the anterior end x = 0, column nx−1 the posterior end; a zero inverse density holds both at rest.
+The step processes ``lanes`` adjacent numbers at a time, from column 1 on: ``lanes`` columns of one fold (``folds = 1``;
+idle columns pad the last vector), or the same column of ``lanes`` folds (``folds = lanes``).
 
 ::
 
@@ -17,7 +16,7 @@ Offsets are constants of the compiled loop, so the compiler can prove that rows 
 
 from dataclasses import dataclass
 
-#: Numbers worked on together: 512 bits, twice what most processors take at once, which fills their pipelines.
+#: Numbers per SIMD vector: 512 bits. On processors with 256-bit vectors these are two, which fills the pipelines.
 LANES = {"float64": 8, "float32": 16}
 LINE = 8  # numbers (float64) of a cache line
 
@@ -29,36 +28,36 @@ class Layout:
     nx: int
     ny: int
     lanes: int = LANES["float64"]
-    postures: int = 1
+    folds: int = 1
 
     @property
     def columns(self) -> int:
-        """Columns worked on, from column 1: the interior, the posterior end, idle ones."""
-        together = self.lanes // self.postures
-        return -(-(self.nx - 1) // together) * together
+        """Columns processed, from column 1: the interior, the posterior end, idle columns."""
+        per_vector = self.lanes // self.folds
+        return -(-(self.nx - 1) // per_vector) * per_vector
 
     @property
     def anterior(self) -> int:
-        """The place of column 0 among the columns of a row: column 1 starts on a cache line."""
-        return LINE - 1 if self.postures == 1 else 0
+        """Index of column 0 in a row. One fold: column 1 starts on a cache line."""
+        return LINE - 1 if self.folds == 1 else 0
 
     @property
     def stride(self) -> int:
-        """Length of a row; an odd number of columns of several folds, for rows a power of two apart share few places in
-        the cache and would drive each other out."""
-        if self.postures > 1:
-            return (self.nx | 1) * self.postures
+        """Length of a row. Several folds: an odd number of columns, because rows a power of two apart map to the same
+        cache sets and evict each other."""
+        if self.folds > 1:
+            return (self.nx | 1) * self.folds
         return LINE * (1 + -(-(self.columns + 1) // LINE))
 
     @property
     def first(self) -> int:
         """Offset of column 1 in a row."""
-        return (self.anterior + 1) * self.postures
+        return (self.anterior + 1) * self.folds
 
     @property
     def worked(self) -> int:
-        """Numbers of a row that the step works on."""
-        return self.columns * self.postures
+        """Numbers of a row that the step processes."""
+        return self.columns * self.folds
 
     def field(self, name: str) -> int:
         """Offset of row y = 0 of a field of ny rows."""
@@ -70,42 +69,55 @@ class Layout:
 
     @property
     def block(self) -> int:
-        """Groups of columns that the step takes through its phases together, as many as was found to be fastest."""
-        return 3 if self.postures == 1 else 2
+        """Vectors that go through a phase of the step before the next phase starts; the fastest values measured."""
+        return 3 if self.folds == 1 else 2
 
     @property
     def K_coup(self) -> int:
-        """Offset of the coupling stiffness, ny numbers for each of the postures."""
+        """Offset of the coupling stiffness, (ny, folds) numbers."""
         return (len(FIELDS) * self.ny + len(LINES)) * self.stride
 
     def scratch(self, name: str) -> int:
-        """Offset of scratch for the groups of a block: ny times ``lanes`` numbers each."""
+        """Offset of a scratch array, (block, ny, lanes) numbers."""
         return self.K_coup + (1 + SCRATCH.index(name) * self.block) * self.ny * self.lanes
 
     @property
     def beam_inverse(self) -> int:
-        """Offset of (I − dt²A/4)⁻¹ of one fold, nx−2 rows of ``worked`` numbers, stored by column of the matrix; many
-        folds have its factors instead, among the lines.
+        """Offset of (I − dt²A/4)⁻¹, one fold only: nx−2 rows of ``worked`` numbers, one per column of the matrix.
+
+        Several folds store the banded factors instead, as lines.
         """
         return self.K_coup + (1 + len(SCRATCH) * self.block) * self.ny * self.lanes
 
     @property
     def size(self) -> int:
-        return self.beam_inverse + (self.nx - 2 if self.postures == 1 else 0) * self.worked
+        """Length of the buffer."""
+        return self.beam_inverse + (self.nx - 2 if self.folds == 1 else 0) * self.worked
 
 
 # State: displacement, velocity at the half step, velocity extrapolated to the time of the displacement; phi likewise.
-# Scratch: displacement after the step. Fixed: medial plane G.
+# Scratch: w_next, displacement after the step. Fixed: medial plane G.
 FIELDS = ("w", "v", "v_star", "phi", "vphi", "vphi_star", "w_next", "G")
-# State of the beam. Scratch: its load. Fixed: load of the end moments, 1/ρ_s, width of the slice, number of the column;
-# of many folds the factors of I − dt²A/4 (kernels/banded.py), 1/D, a and c.
-# What the last steps saw: displacements beyond all bounds; the smallest half gap of each slice.
+# State of the beam: w_b to v_star_b. Scratch: beam_force. Fixed: load of the end moments, 1/ρ_s, width of the slice,
+# index of the column, and for several folds the factors 1/D, a and c of I − dt²A/4 (kernels/banded.py).
+# From the last steps: ``beyond``, 1 where a displacement passed its bound; ``half_min``, smallest half gap of a slice.
 LINES = (
-    "w_b", "v_b", "v_star_b", "beam_force", "beam_load", "inverse_density", "width", "column", "per_D", "a", "c",
-    "beyond", "half_min",
-)  # fmt: skip
-# Of the columns at hand: 1/d_g²; half of min d_g from the inlet, signed; the viscous integral. In the rows of the last:
-# half of max d_g, then in its place the flux per width; half of d_sep; 1/Δ, how fast the smallest half gap changes.
+    "w_b",
+    "v_b",
+    "v_star_b",
+    "beam_force",
+    "beam_load",
+    "inverse_density",
+    "width",
+    "column",
+    "inv_D",
+    "a",
+    "c",
+    "beyond",
+    "half_min",
+)
+# Of the columns of a block: 1/d_g²; half of the running min d_g from the inlet, signed; the viscous integral. ``slice``
+# has three rows: half of max d_g, later replaced by the flux per width; half of d_sep; 1/Δ (kernels/flow.py).
 SCRATCH = ("square", "running_min", "viscous", "slice")
 
 # Scalars of the step, in this order in the parameter array.
@@ -116,21 +128,26 @@ SCALARS = (
     "half_rho_a",
     "twelve_mu_a",
     "T_over_dx2",
-    "G_shear_per_dy2",
-    "eta_shear_per_dy2",
+    "G_shear_over_dy2",
+    "eta_shear_over_dy2",
     "C_coup",
     "K_col",
     "C_col",
     "K_foun",
     "C_foun",
-    "per_beam_density",
-    "per_rotation_inertia",
+    "inv_beam_density",
+    "inv_rotation_inertia",
     "G_rotation",
     "eta_rotation",
 )
 
 # Columns of the record: one row per recorded step.
 RECORD = (
-    "glottal_area_m2", "glottal_flow_m3_s", "contact_pressure_max_pa", "contact_column", "contact_area_m2",
-    "inlet_pressure_pa", "outlet_pressure_pa",
-)  # fmt: skip
+    "glottal_area_m2",
+    "glottal_flow_m3_s",
+    "contact_pressure_max_pa",
+    "contact_column",
+    "contact_area_m2",
+    "inlet_pressure_pa",
+    "outlet_pressure_pa",
+)

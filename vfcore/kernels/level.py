@@ -1,4 +1,4 @@
-"""Root-mean-square of a wave about its mean, in two passes and without a copy."""
+"""Root mean square of a wave about its mean, in two passes and without a copy."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Resampling by a ratio up/down with the taps h of a low pass at up times the rate, in its polyphase form.
+"""Resampling by a ratio up/down in polyphase form; h are the taps of a low-pass filter at ``up`` times the rate.
 
 y_m = Σ_k h[m·down − k·up] x_k  =  Σ_i h[p + i·up] x_{q−i},   m·down = q·up + p,  0 ≤ p < up
 """
@@ -11,7 +11,7 @@ from vfcore.kernels.response import respond
 def resample(block, samples, branches, down, out):
     """Fill ``out`` (n·up/down,) for the next ``block`` (n,).
 
-    ``samples`` (reach − 1 + n,): the last samples, with the block before at its end; moved on here.
+    ``samples`` (reach − 1 + n,): the samples up to the end of the previous block; shifted by one block here.
     ``branches`` (up, reach): row p holds h[p + i·up], largest i first. Any unit; ``out`` has that of ``block``.
     """
     n = block.size
@@ -29,7 +29,7 @@ def resample(block, samples, branches, down, out):
 
 
 @jit
-def heard(flow, memory, backward, samples, branches, down, lip, audio):
-    """``respond`` and ``resample`` in one call: ``lip`` (n,) and ``audio`` (n·up/down,) for one block of ``flow``."""
+def filter_and_resample(flow, memory, backward, samples, branches, down, lip, audio):
+    """``respond``, then ``resample``: ``lip`` (n,) and ``audio`` (n·up/down,) for one block of ``flow``."""
     respond(flow, memory, backward, lip)
     resample(lip, samples, branches, down, audio)

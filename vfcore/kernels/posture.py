@@ -1,18 +1,21 @@
-"""Root of the posturing equations, by continuation from rest. Equations: posture_equations.py.
+"""Root of the posturing equations by continuation from rest. Equations: posture_equations.py.
 
-The loads enter linearly, so a Newton step from the last root is the tangent predictor too. First the
-passive loads are raised from zero (where u = 0 is exact) to rest, then all activations together along
-the straight line from rest. A step counts only if Newton converges in few iterations, the posture moves
-little and det J keeps the sign it has without load: another branch is not entered unseen.
+    r(u; s) = 0 with the loads s·(load), s from 0 to 1;   Newton: u ← u − J(u)⁻¹ r(u),   |r_i| ≤ 1e-12 scale_i
 
-Where the path folds (det J = 0) no continuation in the activation goes on: the larynx of the model would
-snap to a distant posture, and which one is a matter of its dynamics. That is a failure here, with the place.
-In the published sets no fold and no second root was met in [0, 1]^5, neither on paths to 10,000 random activations
-each nor from random starts: an observation, not a theorem. Overridden constants can fold the path.
+The loads enter linearly, so a Newton step from the last root is also the tangent predictor. First the passive loads are
+raised from zero (where u = 0 is exact) to rest, then all activations at once along the straight line from rest. A step
+is accepted only if Newton converges in few iterations, the posture moves little, and det J keeps the sign that it has
+without load. So the path cannot jump to another branch unnoticed.
 
-J jumps at the kinks of |d_t|, |d_r|, collision, ε_1 and the end of the active stress. Plain Newton steps pass
-them: while det J keeps its sign, the root of one side's linear equations lies on the other side, whose own
-step then ends the search. A line search on the residual would stall there, so short load steps replace it.
+At a fold of the path (det J = 0) continuation in the activation ends: the larynx of the model would snap to a distant
+posture, and its dynamics decide which. This counts as a failure, reported with its position. With the published sets no
+fold and no second root was found in [0, 1]^5, neither on the paths to 10,000 random activations each nor from random
+starts; this is an observation, not a proof. Overridden constants can fold the path.
+
+J jumps at the kinks of |d_t| and |d_r|, at collision, at ε_1 and at the end of the active stress. Plain Newton steps
+cross these kinks: while det J keeps its sign, the root of the linear equations on one side lies on the other side, and
+the next step from there converges. A line search on the residual would stall at a kink, so the load steps are short
+instead.
 """
 
 import math
@@ -25,14 +28,14 @@ from vfcore.kernels.posture_equations import equilibrium
 OK, NO_REST, NO_POSTURE = range(3)  # status
 
 TOLERANCE = 1e-12  # of the load scale of each equation
-EASY, NEWTON_LIMIT = 4, 7  # iterations after which the next step may be longer; and a step is refused
-FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.125, 0.25, 1e-9  # of the load
+EASY, NEWTON_LIMIT = 4, 7  # at most EASY iterations: the next step may be longer; over NEWTON_LIMIT: rejected
+FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.125, 0.25, 1e-9  # fraction of the load
 MOVE = (1e-3, 1e-3, 0.1, 0.1, 0.1)  # m, m, rad, strain, strain: largest move of an accepted step
 
 
 @inlined
 def solve_linear(A, b):
-    """Overwrite ``b`` (5,) with A⁻¹ b by elimination with row pivots, spoiling A; return det A (0: no solution)."""
+    """Overwrite ``b`` (5,) with A⁻¹ b by elimination with row pivoting, and A; return det A (0: singular)."""
     determinant = 1.0
     for k in range(5):
         p = k
@@ -75,7 +78,7 @@ def relative_size(r, scale):
 def newton(u, activation, passive, muscles, joints, scale, work):
     """Improve ``u`` (5,) in place; return relative residual, iterations and det J there (0: singular or not reached).
 
-    ``work`` (6, 5) is working space.
+    ``work`` (6, 5) is scratch.
     """
     r, jac = work[0], work[1:6]
     size = math.inf
@@ -94,10 +97,10 @@ def newton(u, activation, passive, muscles, joints, scale, work):
 def continue_leg(
     u, start, target, passive_start, passive_target, muscles, joints, scale, orientation, loads, point, work
 ):
-    """Follow the root from one load to another; return the part of the way covered (1: all).
+    """Follow the root from one load to another; return the fraction of the path covered (1: all).
 
     ``start``, ``target``: activations (5,). ``orientation``: sign that det J must keep.
-    ``loads``, ``point`` (5,) and ``work`` (6, 5): working space.
+    ``loads``, ``point`` (5,) and ``work`` (6, 5) are scratch.
     """
     done, step = 0.0, FIRST_STEP
     while done < 1.0:
@@ -125,10 +128,10 @@ def continue_leg(
 
 @jit
 def solve_postures(activations, muscles, joints, scale, roots, outcomes, status):
-    """Solve every row of ``activations`` (n, 5), order TA, CT, LCA, IA, PCA, each from rest anew.
+    """Solve every row of ``activations`` (n, 5), order TA, CT, LCA, IA, PCA, each from rest.
 
-    Out: ``roots`` (n, 5); ``outcomes`` (n, 4): fold strain, ξ_02 (m, signed), relative residual, part of
-    the way covered; ``status`` (n,). Where status is not OK the root is the last one reached.
+    Out: ``roots`` (n, 5); ``outcomes`` (n, 4): fold strain, ξ_02 (m, signed), relative residual, fraction of
+    the path covered; ``status`` (n,). If the status is not OK, the root is the last one reached.
     """
     relaxed, loads, point = np.zeros(5), np.empty(5), np.empty(5)
     work = np.empty((6, 5))

@@ -13,11 +13,12 @@ cricothyroid joint. X = x_C − x̄_02, Y = y_C, R = |(X, Y)|. Residuals (N, N, 
     collision, only when ξ_02 ≤ 0: Δ = θ_a − θ_col with ξ_02(θ_col) = 0, T = −20 (κ/R)(Δ + 500 Δ³),
         F_x = T (−X cos θ_a + Y sin θ_a), F_y = T (−Y cos θ_a − X sin θ_a), τ = T R
 
-By dimensions F_x,col and F_y,col want a further factor 1/R; the published implementation has none, and it is kept so.
+Dimensionally F_x,col and F_y,col lack a factor 1/R. The published implementation has none, and neither has this one.
 ξ_02 = x_C + ξ − R cos(θ_a − φ), φ = atan2(−Y, X), so θ_col = φ − acos((x_C + ξ)/R) where that exists. Above
 x_C + ξ = R the processes cannot meet; below −R (reached by trial steps only) θ_col stays at φ − π.
 
-Not validated: the equations themselves against anything but published values of strain and angle.
+Algebraic: no discretisation. The Jacobian is exact but for the kinks named in posture.py. Twin:
+tests/support/posture_twin.py. Not validated but for published values of strain and angle.
 """
 
 import math
@@ -30,7 +31,7 @@ TA, CT, LCA, IA, PCA, LIG, MUC = range(7)
 # Columns of ``muscles``: the fields of vfcore.spec.muscles.Muscle.
 LENGTH, SECTION, EPS_M, WIDTH, ALPHA, BETA, GAMMA, SIGMA_0, SIGMA_2, EPS_1, EPS_2, RATE, SIGMA_MAX = range(13)
 
-LARGEST_EXPONENT = 100.0  # far above any tissue strain: keeps a wild trial step finite
+LARGEST_EXPONENT = 100.0  # far above any tissue strain; keeps the force finite in a bad trial step
 
 
 class Joints(NamedTuple):

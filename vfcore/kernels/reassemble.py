@@ -1,13 +1,22 @@
-"""Where a glide leads: every fixed number of the buffer and of the step for one posture, in one call.
+"""Re-assembly of a fold at a new posture: every fixed number of the buffer and of the step, in one compiled call.
 
-A hand that moves asks for this a hundred times a second. Array by array in Python it takes ten times as long, and more
-where the processor was just woken for it. Twin: vfcore/fold/assemble.py.
+The numbers and their formulas, with x_i = i dx and y_j = j dy (kernels/tissue.py, kernels/banded.py):
+
+    medial plane          G_ij = x_i tan θ_g + y_j tan θ_conv                       m
+    coupling              K_coup,j, linear in y                                     Pa/m
+    lines over x          1/ρ_s, dx (half of it at x = L), end moments over ρ_l     m²/kg, m, m/s²
+    beam                  (I − dt²A/4)⁻¹ from its banded factors                    1
+    scalars of the step   layout.SCALARS
+
+Second order in dx and dy, as the step. A played voice whose parameters move needs this a hundred times a second; array
+by array in Python it takes more than ten times as long. Twin: vfcore/fold/assemble.py. Not validated on its own.
 """
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
 
-from vfcore.kernels import banded
+from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.jit import jit
 from vfcore.kernels.layout import Layout
 from vfcore.kernels.tissue import (
@@ -22,25 +31,27 @@ from vfcore.kernels.tissue import (
 
 
 @lru_cache(maxsize=32)
-def target_kernel(nx: int, ny: int, rotation: bool):
+def reassemble_kernel(nx: int, ny: int, rotation: bool) -> Callable[..., float]:
     """The compiled ``fill`` for one grid."""
-    factor, invert, L = banded.factor, banded.invert, Layout(nx, ny)
+    L = Layout(nx, ny)
     STRIDE, FIRST, NB, BI, WORKED = L.stride, L.first, nx - 2, L.beam_inverse, L.worked
     G, K = L.field("G") + L.anterior, L.K_coup
     LOAD, INV, WIDTH = (L.line(name) + FIRST for name in ("beam_load", "inverse_density", "width"))
     turns = int(rotation)
 
+    # The closure may hold only plain constants, see vfcore/kernels/fold.py.
     @jit
     def fill(strain, a_ta, theta_g, theta_0, convergence, inferior_stiff, dt, c, buffer, scalars, work):
         """Write what depends on posture and tissue; return the longest stable step without margin, s.
 
-        ``theta_g`` is the clipped half-angle, ``c`` a kernels.tissue.Constants; ``buffer`` (Layout.size,) has been
-        filled for the same grid before, ``scalars`` (len(SCALARS),), ``work`` (3·(nx−2),) scratch. NaN where the fold
-        has no stiffness left: nothing that was written means anything then.
+        ``theta_g`` is the half-angle clipped at 0, ``theta_0`` the rest angle, ``convergence`` θ_conv, in rad; ``c`` is
+        a kernels.tissue.Constants. ``buffer`` (Layout.size,) must have been filled for the same grid before.
+        ``scalars`` (len(SCALARS),) is written; ``work`` (3·(nx−2),) is scratch. Returns NaN if the fold has no
+        stiffness left; the numbers written are then meaningless.
         """
-        (
-            lam, length, b, T, G_t, eta_t, rho_s, J, N_b, mu, M_c, rho_l, _, _, _, _, _, _, _, axial
-        ) = prestrained(strain, a_ta, c)  # fmt: skip
+        numbers = prestrained(strain, a_ta, c)
+        lam, length, b, T, G_t, eta_t, rho_s, J, N_b, mu, M_c, rho_l = numbers[:12]
+        axial = numbers[-1]
         if not (axial > 0.0 and T > 0.0 and mu > 0.0):
             return math.nan
         dx, dy = length / (nx - 1), b / (ny - 1)
@@ -68,9 +79,9 @@ def target_kernel(nx: int, ny: int, rotation: bool):
         factor(D, -quarter * first, -quarter * second, a, c_2)
         invert(D, a, c_2, buffer[BI:], WORKED)
 
-        numbers = step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c)
-        for k in range(len(numbers)):
-            scalars[k] = numbers[k]
+        values = step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c)
+        for k in range(len(values)):
+            scalars[k] = values[k]
         return longest_step(
             turns > 0, dx, dy, T, G_t, eta_t, rho_s, J, b, rho_l, max(c.K_coup_min_pa_m, c.K_coup_max_pa_m), c
         )

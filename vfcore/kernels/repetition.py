@@ -1,17 +1,16 @@
-"""How alike a wave is to itself one lag later, and where that is greatest: the period.
+"""Normalised autocorrelation of a wave, and the lag at which it is greatest: the period.
 
     r(τ) = Σ x(t) x(t+τ) / √(Σ x(t)² Σ x(t+τ)²)
 
-over the overlap of the two copies, x with its mean removed. The products come from transforms
-(vfcore/measures/pitch.py) or from ``likeness``: for windows of 60 ms the sum as it stands takes no longer and touches
-little memory.
+over the overlap of the two copies, x with its mean removed. The products come from FFTs (vfcore/measures/pitch.py) or
+from ``likeness``: for windows of 60 ms the direct sum takes no longer and uses little memory.
 """
 
 import math
 
 from vfcore.kernels.jit import formula, inlined, jit
 
-#: Below this part of a wave's energy an overlap is silence.
+#: An overlap with less than this fraction of the energy of the wave counts as silent.
 SILENT = 1e-12
 
 
@@ -57,10 +56,10 @@ def likeness(wave, x, values):
 
 @inlined
 def maxima(values, lag_min, lag_max, rise, lags, heights):
-    """Find the maxima of r from ``lag_min`` to ``lag_max`` that stand ``rise`` above the lowest r before them.
+    """Find the maxima of r from ``lag_min`` to ``lag_max`` that exceed the lowest r before them by ``rise``.
 
-    ``lags``, in samples and parts of one, and ``heights``, at most 1, shortest lag first, must have room for one in two
-    lags. Returns how many there are. The last of ``values`` (lags,) is no place for a maximum.
+    Fills ``lags``, in fractional samples, and ``heights``, at most 1, shortest lag first; both need room for half as
+    many as there are lags. Returns their number. The last of ``values`` (lags,) is never a maximum.
     """
     lowest, found = values[0], 0
     for lag in range(min(lag_max, values.size - 2) + 1):
@@ -78,9 +77,9 @@ def maxima(values, lag_min, lag_max, rise, lags, heights):
 
 @jit
 def first_period(values, lag_min, rise, least, nearly, lags, heights):
-    """The first of the ``maxima`` that is ``nearly`` as high as the highest; NaN where that is below ``least``.
+    """The first of the ``maxima`` that reaches ``nearly`` times the highest; NaN if the highest is below ``least``.
 
-    ``lags`` and ``heights`` are scratch, with room for one in two of ``values`` (lags,).
+    ``lags`` and ``heights`` are scratch, with room for half as many numbers as ``values`` (lags,).
     """
     found, highest = maxima(values, lag_min, values.size, rise, lags, heights), 0.0
     for k in range(found):

@@ -1,7 +1,9 @@
-"""What a linear system makes of a signal that comes in blocks: a running convolution.
+"""Convolution of a signal that arrives in blocks with an impulse response.
 
-y_i = Σ_k h_k x_{i−k}, summed as it stands. With some 1700 taps it takes no longer than a transform of the block, and
-where a processor wakes for every block it takes a fifth: it is one short loop over what lies together.
+    y_i = Σ_{k=0}^{taps−1} h_k x_{i−k}
+
+Summed directly. With about 1700 taps this takes no longer than an FFT of the block, and a fifth of it on a processor
+that wakes up for every block, because it is one short loop over contiguous memory.
 """
 
 from vfcore.kernels.jit import inlined
@@ -11,8 +13,8 @@ from vfcore.kernels.jit import inlined
 def respond(block, memory, backward, out):
     """Fill ``out`` (n,) for the next ``block`` (n,) of the signal.
 
-    ``memory`` (taps − 1 + n,): the last of the signal, with the block before at its end; moved on here.
-    ``backward`` (taps,): the response, last tap first. Any units; ``out`` has their product's. Twin: np.convolve.
+    ``memory`` (taps − 1 + n,): the signal up to the end of the previous block; shifted by one block here.
+    ``backward`` (taps,): the response, last tap first. Any units; ``out`` has those of the product. Twin: np.convolve.
     """
     n, taps = block.size, backward.size
     for k in range(taps - 1):
@@ -20,7 +22,7 @@ def respond(block, memory, backward, out):
     for i in range(n):
         memory[taps - 1 + i] = block[i]
     whole = n - n % 4
-    for i in range(0, whole, 4):  # four at a time: a tap is fetched once for all
+    for i in range(0, whole, 4):  # four outputs per pass: each tap is loaded once
         a = b = c = d = 0.0
         for k in range(taps):
             tap = backward[k]

@@ -1,13 +1,15 @@
-"""Numbers side by side; longer than other files: types, operators and memory of one new kind of number.
+"""SIMD vectors for the kernels: the type, its operators, and loads and stores.
 
-Lanes hold one number for each of a few neighbours (nodes along x, or postures), worked on by one instruction.
-``load(array, at, count)`` reads ``count`` neighbours of a flat array, ``store`` writes them; + − × ÷, < and > and the
-functions below act on each lane alone. A plain number among lanes stands for the same in every lane, in their
-precision. So a law of flow.py, contact.py or membrane.py is written once and serves a float, the columns of one fold,
-or one column of several folds, in double or single precision.
+One file for three things that only make sense together: a numba type, its arithmetic and its memory access.
 
-Compiled, lanes are vectors of LLVM: they live in registers, and no loop around them has to be of a kind that the
-compiler knows how to vectorise. Interpreted (NUMBA_DISABLE_JIT=1) they are numpy arrays.
+A ``Vec`` holds one number for each of ``count`` neighbours (nodes along x, or folds), and one instruction works on all
+of them. ``load(array, at, count)`` reads ``count`` neighbours of a flat array and ``store`` writes them. +, −, ×, ÷, <,
+> and the functions below act elementwise. A scalar in an expression with a Vec is broadcast, in the precision of the
+Vec. So a law of flow.py, contact.py or membrane.py is written once and works for a float, for columns of one fold, or
+for one column of several folds, in double or single precision.
+
+Compiled, a Vec is an LLVM vector: it lives in registers, so speed does not depend on which loops the compiler can
+vectorise. Interpreted (NUMBA_DISABLE_JIT=1), it is a numpy array.
 """
 
 import operator
@@ -24,27 +26,27 @@ from numba.np.arrayobj import make_array
 INDEX = ir.IntType(32)
 
 
-class Lanes(types.Type):
-    """``count`` floats side by side."""
+class Vec(types.Type):
+    """``count`` floats of type ``dtype``."""
 
     def __init__(self, dtype, count):
         self.dtype, self.count = dtype, count
-        super().__init__(name=f"lanes({dtype} x {count})")
+        super().__init__(name=f"vec({dtype} x {count})")
 
 
 class Mask(types.Type):
-    """``count`` truth values side by side."""
+    """``count`` booleans, the result of a comparison."""
 
     def __init__(self, count):
         self.count = count
         super().__init__(name=f"mask({count})")
 
 
-@register_model(Lanes)
-class _LanesModel(models.PrimitiveModel):
-    def __init__(self, manager, lanes):
-        element = manager.lookup(lanes.dtype).get_value_type()
-        super().__init__(manager, lanes, ir.VectorType(element, lanes.count))
+@register_model(Vec)
+class _VecModel(models.PrimitiveModel):
+    def __init__(self, manager, vec):
+        element = manager.lookup(vec.dtype).get_value_type()
+        super().__init__(manager, vec, ir.VectorType(element, vec.count))
 
 
 @register_model(Mask)
@@ -53,20 +55,20 @@ class _MaskModel(models.PrimitiveModel):
         super().__init__(manager, mask, ir.VectorType(ir.IntType(1), mask.count))
 
 
-NUMBER = (Lanes, types.Float, types.Integer)
-CHOICE = (Mask, types.Boolean)
+NUMBER = (Vec, types.Float, types.Integer)
+CONDITION = (Mask, types.Boolean)
 
 
 def _widest(arguments):
-    """The lanes among types of arguments, or double precision."""
-    return next((kind for kind in arguments if isinstance(kind, Lanes)), types.float64)
+    """The Vec type among the argument types, or double precision if there is none."""
+    return next((kind for kind in arguments if isinstance(kind, Vec)), types.float64)
 
 
 def _as(kind, context, builder, value, source):
-    """``value`` of type ``source`` as ``kind``: one number is put in every lane."""
-    if not isinstance(kind, Lanes):
+    """``value`` of type ``source`` converted to ``kind``; a scalar is broadcast."""
+    if not isinstance(kind, Vec):
         return context.cast(builder, value, source, kind)
-    if isinstance(source, Lanes):
+    if isinstance(source, Vec):
         return value
     number = context.cast(builder, value, source, kind.dtype)
     vector = context.get_value_type(kind)
@@ -75,14 +77,17 @@ def _as(kind, context, builder, value, source):
 
 
 def _compiles_to(function, emit, result=lambda kind: kind, condition=False):
-    """Compile ``function`` to ``emit(builder, *values)``; with ``condition`` the first argument is a mask."""
+    """Register the typing of ``function``; return a lowering that calls ``emit(builder, *values)``.
+
+    With ``condition`` the first argument is a mask. ``result`` maps the Vec type to the type of the result.
+    """
     first = 1 if condition else 0
 
     @infer_global(function)
     class _Types(AbstractTemplate):
         def generic(self, args, kws):
             fits = all(isinstance(kind, NUMBER) for kind in args[first:])
-            if fits and not kws and all(isinstance(kind, CHOICE) for kind in args[:first]):
+            if fits and not kws and all(isinstance(kind, CONDITION) for kind in args[:first]):
                 return signature(result(_widest(args)), *args)
 
     def lower(context, builder, sig, args):
@@ -95,11 +100,12 @@ def _compiles_to(function, emit, result=lambda kind: kind, condition=False):
 
 def _operator(symbol, emit, result=lambda kind: kind):
     lower = _compiles_to(symbol, emit, result)
-    for left, right in ((a, b) for a in NUMBER for b in NUMBER if Lanes in (a, b)):
+    for left, right in ((a, b) for a in NUMBER for b in NUMBER if Vec in (a, b)):
         lower_builtin(symbol, left, right)(lower)
 
 
 def _arithmetic(name):
+    # Instructions that have a flag get no others from numba's fastmath pass, so these sums are not reordered.
     return lambda builder, a, b: getattr(builder, name)(a, b, flags=("contract",))
 
 
@@ -116,20 +122,20 @@ for _symbol, _name in (
     _operator(_symbol, _arithmetic(_name))
 _operator(operator.lt, lambda builder, a, b: builder.fcmp_ordered("<", a, b), _mask)
 _operator(operator.gt, lambda builder, a, b: builder.fcmp_ordered(">", a, b), _mask)
-# No += and the like: among numpy arrays they would write into another name's numbers.
+# No += or other in-place operators: interpreted, they would change a numpy array that another name refers to.
 
 
 def maximum(a, b):
-    """The larger; ``b`` where the two do not compare."""
+    """The larger of the two; ``b`` if the comparison is unordered (NaN)."""
     return np.where(a > b, a, b)
 
 
 def minimum(a, b):
-    """The smaller; ``b`` where the two do not compare."""
+    """The smaller of the two; ``b`` if the comparison is unordered (NaN)."""
     return np.where(a < b, a, b)
 
 
-def where(mask, a, b):
+def select(mask, a, b):
     """``a`` where ``mask`` is true, else ``b``."""
     return np.where(mask, a, b)
 
@@ -140,7 +146,7 @@ def square_root(a):
 
 
 def multiply_add(a, b, c):
-    """a b + c, in one operation where the processor has it, even if a b is wanted elsewhere too."""
+    """a b + c, fused where the processor can, even if the product a b is also used elsewhere."""
     return a * b + c
 
 
@@ -158,15 +164,15 @@ def _intrinsic(name):
 
 def _function(function, emit, arity, condition=False):
     lower = _compiles_to(function, emit, condition=condition)
-    choices = CHOICE if condition else (None,)
-    for choice in choices:
+    conditions = CONDITION if condition else (None,)
+    for first in conditions:
         for kinds in np.ndindex(*(len(NUMBER),) * arity):
-            lower_builtin(function, *([choice] if choice else []), *(NUMBER[k] for k in kinds))(lower)
+            lower_builtin(function, *([first] if first else []), *(NUMBER[k] for k in kinds))(lower)
 
 
 _function(maximum, lambda builder, a, b: builder.select(builder.fcmp_ordered(">", a, b), a, b), 2)
 _function(minimum, lambda builder, a, b: builder.select(builder.fcmp_ordered("<", a, b), a, b), 2)
-_function(where, lambda builder, mask, a, b: builder.select(mask, a, b), 2, condition=True)
+_function(select, lambda builder, mask, a, b: builder.select(mask, a, b), 2, condition=True)
 _function(square_root, _intrinsic("sqrt"), 1)
 _function(multiply_add, _intrinsic("fmuladd"), 3)
 
@@ -176,36 +182,36 @@ def load(array, at, count):
     return array[at : at + count].copy()
 
 
-def store(array, at, lanes):
-    """``array[at : at + count] = lanes``."""
-    array[at : at + len(lanes)] = lanes
+def store(array, at, vec):
+    """``array[at : at + count] = vec``."""
+    array[at : at + len(vec)] = vec
 
 
-def each(array, k, postures, count):
-    """Constant ``k`` of each lane: one number for the columns of one fold, ``count`` numbers for as many folds."""
-    return array[k] if postures == 1 else array[k * count : k * count + count].copy()
+def load_param(array, k, folds, count):
+    """Parameter ``k``: one scalar if ``folds`` is 1, else ``count`` numbers, one per fold."""
+    return array[k] if folds == 1 else array[k * count : k * count + count].copy()
 
 
-def spread(number, array, count):
-    """One number in ``count`` lanes, in the precision of ``array``."""
+def broadcast(number, array, count):
+    """``count`` copies of one number, in the precision of ``array``."""
     return np.full(count, number, array.dtype)
 
 
-def lane(lanes, k):
-    """The number in lane ``k``."""
-    return lanes[k]
+def extract(vec, k):
+    """Element ``k``."""
+    return vec[k]
 
 
 def all_of(mask):
-    """Whether the mask is true in every lane."""
+    """True if every element of the mask is true."""
     return bool(np.all(mask))
 
 
-def total(lanes):
-    """The sum over the lanes, halves first: lane k and lane k + count/2, and so on."""
-    while len(lanes) > 1:
-        lanes = lanes[: len(lanes) // 2] + lanes[len(lanes) // 2 :]
-    return lanes[0]
+def hsum(vec):
+    """Horizontal sum by halving: elements k and k + count/2 are added first, then the same with half the count."""
+    while len(vec) > 1:
+        vec = vec[: len(vec) // 2] + vec[len(vec) // 2 :]
+    return vec[0]
 
 
 @infer_global(load)
@@ -215,46 +221,46 @@ class _LoadTypes(AbstractTemplate):
     def generic(self, args, kws):
         array, at, count = args
         if isinstance(count, types.IntegerLiteral):
-            return signature(Lanes(array.dtype, count.literal_value), array, types.intp, count)
+            return signature(Vec(array.dtype, count.literal_value), array, types.intp, count)
 
 
 @infer_global(store)
 class _StoreTypes(AbstractTemplate):
     def generic(self, args, kws):
-        array, at, lanes = args
-        return signature(types.none, array, types.intp, lanes)
+        array, at, vec = args
+        return signature(types.none, array, types.intp, vec)
 
 
-@infer_global(each)
-class _EachTypes(AbstractTemplate):
+@infer_global(load_param)
+class _LoadParamTypes(AbstractTemplate):
     prefer_literal = True
 
     def generic(self, args, kws):
-        array, k, postures, count = args
-        if isinstance(postures, types.IntegerLiteral) and isinstance(count, types.IntegerLiteral):
-            one = postures.literal_value == 1
-            result = array.dtype if one else Lanes(array.dtype, count.literal_value)
-            return signature(result, array, types.intp, postures, count)
+        array, k, folds, count = args
+        if isinstance(folds, types.IntegerLiteral) and isinstance(count, types.IntegerLiteral):
+            one = folds.literal_value == 1
+            result = array.dtype if one else Vec(array.dtype, count.literal_value)
+            return signature(result, array, types.intp, folds, count)
 
 
-@infer_global(spread)
-class _SpreadTypes(AbstractTemplate):
+@infer_global(broadcast)
+class _BroadcastTypes(AbstractTemplate):
     prefer_literal = True
 
     def generic(self, args, kws):
         number, array, count = args
         if isinstance(count, types.IntegerLiteral):
-            return signature(Lanes(array.dtype, count.literal_value), types.float64, array, count)
+            return signature(Vec(array.dtype, count.literal_value), types.float64, array, count)
 
 
-@infer_global(total)
-class _TotalTypes(AbstractTemplate):
+@infer_global(hsum)
+class _HsumTypes(AbstractTemplate):
     def generic(self, args, kws):
         return signature(args[0].dtype, *args)
 
 
-@lower_builtin(total, Lanes)
-def _total(context, builder, sig, args):
+@lower_builtin(hsum, Vec)
+def _hsum(context, builder, sig, args):
     value, count = args[0], sig.args[0].count
     while count > 1:
         count //= 2
@@ -277,15 +283,15 @@ def _all_of(context, builder, sig, args):
     return builder.icmp_unsigned("==", builder.bitcast(args[0], bits), bits(-1))
 
 
-@infer_global(lane)
-class _LaneTypes(AbstractTemplate):
+@infer_global(extract)
+class _ExtractTypes(AbstractTemplate):
     def generic(self, args, kws):
-        lanes, k = args
-        return signature(lanes.dtype, lanes, types.intp)
+        vec, k = args
+        return signature(vec.dtype, vec, types.intp)
 
 
 def _pointer(context, builder, array_type, array, at, count):
-    """Where lane 0 is; under NUMBA_BOUNDSCHECK the first and the last lane must lie in the array."""
+    """Pointer to element 0. Under NUMBA_BOUNDSCHECK the first and the last element must lie within the array."""
     view = make_array(array_type)(context, builder, array)
     if context.enable_boundscheck:
         (size,) = cgutils.unpack_tuple(builder, view.shape, 1)
@@ -297,13 +303,13 @@ def _pointer(context, builder, array_type, array, at, count):
 
 @lower_builtin(load, types.Array, types.Integer, types.IntegerLiteral)
 def _load(context, builder, sig, args):
-    lanes = sig.return_type
-    pointer = _pointer(context, builder, sig.args[0], args[0], args[1], lanes.count)
-    return builder.load(pointer, align=lanes.dtype.bitwidth // 8)
+    vec = sig.return_type
+    pointer = _pointer(context, builder, sig.args[0], args[0], args[1], vec.count)
+    return builder.load(pointer, align=vec.dtype.bitwidth // 8)
 
 
-@lower_builtin(each, types.Array, types.Integer, types.IntegerLiteral, types.IntegerLiteral)
-def _each(context, builder, sig, args):
+@lower_builtin(load_param, types.Array, types.Integer, types.IntegerLiteral, types.IntegerLiteral)
+def _load_param(context, builder, sig, args):
     kind, count = sig.return_type, getattr(sig.return_type, "count", 1)
     at = builder.mul(args[1], args[1].type(count))
     pointer = _pointer(context, builder, sig.args[0], args[0], at, count)
@@ -312,19 +318,19 @@ def _each(context, builder, sig, args):
     return builder.load(pointer, align=getattr(kind, "dtype", kind).bitwidth // 8)
 
 
-@lower_builtin(store, types.Array, types.Integer, Lanes)
+@lower_builtin(store, types.Array, types.Integer, Vec)
 def _store(context, builder, sig, args):
-    lanes = sig.args[2]
-    pointer = _pointer(context, builder, sig.args[0], args[0], args[1], lanes.count)
-    builder.store(args[2], pointer, align=lanes.dtype.bitwidth // 8)
+    vec = sig.args[2]
+    pointer = _pointer(context, builder, sig.args[0], args[0], args[1], vec.count)
+    builder.store(args[2], pointer, align=vec.dtype.bitwidth // 8)
     return context.get_dummy_value()
 
 
-@lower_builtin(spread, types.Float, types.Array, types.IntegerLiteral)
-def _spread(context, builder, sig, args):
+@lower_builtin(broadcast, types.Float, types.Array, types.IntegerLiteral)
+def _broadcast(context, builder, sig, args):
     return _as(sig.return_type, context, builder, args[0], sig.args[0])
 
 
-@lower_builtin(lane, Lanes, types.Integer)
-def _lane(context, builder, sig, args):
+@lower_builtin(extract, Vec, types.Integer)
+def _extract(context, builder, sig, args):
     return builder.extract_element(args[0], args[1])

@@ -1,8 +1,8 @@
-"""The derivative of a wave through a low pass: its convolution with the derivative of a Gaussian.
+"""Low-pass filtered derivative of a wave: convolution with the derivative of a Gaussian.
 
     ẋ_i = Σ_{k=1}^{r} c_k (x_{i+k} − x_{i−k}),   c_k = (k/σ²) e^{−k²/2σ²} / Σ_{|j|≤r} e^{−j²/2σ²}
 
-per sample, σ and r in samples; at the ends of the wave its first and last sample go on. Twin: scipy's
+per sample, σ and r in samples; beyond its ends the wave is continued with its first and last sample. Twin: scipy's
 gaussian_filter1d of order 1 (tests/support/measures_twin.py).
 """
 

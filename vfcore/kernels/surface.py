@@ -1,8 +1,12 @@
 """Pressures on the medial surface of one state, for pictures: the laws of flow.py and contact.py, node by node.
 
-The step keeps no pressure fields. This reads them back from a stored state with the same laws, at the velocity the step
-would use (extrapolated to the time of the displacement), and as they are at that time: where a slice closes or opens
-within the step, the step feels the mean over it.
+    p_aero, p_col at node (i, j) from w, ẇ, G at the same instant        [eqs. ViscousBernoulliPressure, ContactModel]
+
+The step stores no pressure fields. This computes them from a stored state with the same laws, at the velocity that the
+step would use (extrapolated to the time of the displacement). They are instantaneous: where a slice closes or opens
+within a step, the step itself uses the mean over the step. Per column two passes from the inlet: the first finds the
+flux, the second the pressures. Order, stability and validation as in flow.py and contact.py; compared with the step in
+tests/physics/test_kernel_surface.py.
 """
 
 import math
@@ -31,7 +35,7 @@ def surface_pressures(w, v, G, inlet, outlet, dy, alpha_s, half_rho_a, twelve_mu
             d_min, d_max = min(d, d_min), max(d, d_max)
         d_sep = separation_gap(d_min, d_max, alpha_s)
         integral, upstream = 0.0, math.inf
-        for k in range(ny):  # first pass: the integral down to separation gives the flux
+        for k in range(ny):  # first pass: the flux, from the integral down to separation
             j = ny - 1 - k
             running = min(gap(G[j, i], w[j, i]), upstream)
             on = attached(running, d_sep)

@@ -1,13 +1,15 @@
-"""From strain and TA activation to the numbers of the prestrained fold: the formulas, plain floats in and out.
+"""Coefficients of the prestrained fold from strain and TA activation: the formulas, plain floats in and out.
 
 Engineering stress of layer i (paper, constitutive relations), Pa of resting area, strain of the resting length:
 
     passive    σ_p(ε) = −(σ_1/ε_1)(ε − ε_1)  +  [ε ≥ ε_2] σ_2 ( exp(α_1(ε − ε_2)) − 1 − α_1(ε − ε_2) )
     active     σ_a(ε) = a σ_a,max · max(0, 1 − α_2 (ε − ε_m)²),   TA only
 
-The other equations and their sources: vfcore/larynx/tissue/coefficients.py and beam.py, which name the numbers and
-refuse what means nothing; vfcore/fold/stability.py for the step. ``c`` is anything with the names of FoldConstants.
-Python and compiled code read the same lines (``formula``); compiled, results differ by rounding.
+The other equations and their sources are in vfcore/larynx/tissue/coefficients.py and beam.py, which name the numbers
+and refuse a fold without stiffness, and in vfcore/fold/stability.py for the step. ``c`` is any object with the
+attributes of FoldConstants. SI units. Algebraic: no discretisation but for ``beam_ends`` and ``beam_bands`` (order 2 in
+dx). Python and compiled code run the same lines (``formula``); the results differ by rounding. Twin:
+tests/support/coefficient_twin.py. Not validated against measured tissue.
 """
 
 import math
@@ -17,9 +19,7 @@ from vfcore.kernels.jit import formula
 
 
 class Constants(NamedTuple):
-    """The constants of the fold that these formulas take, names and units of
-    vfcore.spec.fold_constants.FoldConstants.
-    """
+    """Constants of the fold used by these formulas; names and units of vfcore.spec.fold_constants.FoldConstants."""
 
     L_0_m: float
     b_0_m: float
@@ -86,9 +86,9 @@ def active(strain, activation, sigma_max, alpha_2, epsilon_m):
 
 @formula
 def prestrained(strain, a_ta, c):
-    """The numbers of ``Coefficients`` in their order, and the axial stiffness of the beam, N, last.
+    """The fields of ``Coefficients`` in their order, then the axial stiffness of the beam, N.
 
-    Where that is not above 0 the numbers of bending mean nothing.
+    If the axial stiffness is not positive, the bending numbers are meaningless.
     """
     lam = 1.0 + strain
     root = lam**0.5
@@ -131,19 +131,19 @@ def prestrained(strain, a_ta, c):
 
 @formula
 def medial_plane(x, y, opening, leaning):
-    """G, m: how far the resting edge stands from the midline; tangents of θ_g and of the angle of convergence."""
+    """G, m: distance of the medial plane in the frame of the fold. ``opening``: tan θ_g; ``leaning``: tan θ_conv."""
     return x * opening + y * leaning
 
 
 @formula
 def coupling_stiffness(from_stiff_edge, c):
-    """K_coup, Pa/m, at a share of the thickness from the stiffer edge."""
+    """K_coup, Pa/m, at a fraction 0 to 1 of the thickness from the stiffer edge."""
     return c.K_coup_max_pa_m + (c.K_coup_min_pa_m - c.K_coup_max_pa_m) * from_stiff_edge
 
 
 @formula
 def beam_ends(dx, mu, lam, M_c, K_r_a, K_r_p, theta_g, theta_0):
-    """What the end moments make of the ghost nodes: gain (1) and offset, m, at x = 0, then at x = L."""
+    """Gain (1) and offset (m) of ghost node = gain · (first inner node) + offset, at x = 0, then at x = L."""
     turn = lam**1.5
     anterior, posterior = K_r_a * turn / (2 * dx), K_r_p * turn / (2 * dx)
     bend = mu / dx**2
@@ -155,9 +155,10 @@ def beam_ends(dx, mu, lam, M_c, K_r_a, K_r_p, theta_g, theta_0):
 
 @formula
 def beam_bands(dx, N_b, mu, ends):
-    """The beam's force per length on the inner nodes of the grid, two or more. Of the symmetric matrix of w_b, N/m²:
-    the diagonal at the first node, in between and at the last one, then the numbers one and two places beside it. Of
-    the load, N/m: the first node's and the last one's. ``ends``: what ``beam_ends`` gives.
+    """Force per length of the beam on the inner nodes (two or more), as bands of a symmetric matrix and a load.
+
+    Matrix of w_b, N/m²: the diagonal at the first node, at inner nodes and at the last node; the first and the second
+    off-diagonal. Load, N/m: at the first and at the last node. ``ends``: the result of ``beam_ends``.
     """
     gain_0, offset_0, gain_L, offset_L = ends
     pull, bend = N_b / dx**2, mu / dx**4
@@ -169,7 +170,7 @@ def beam_bands(dx, N_b, mu, ends):
 
 @formula
 def step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c):
-    """The numbers of layout.SCALARS in their order; T, G_t, eta_t, rho_l and J are those of ``prestrained``."""
+    """The values of layout.SCALARS in their order; T, G_t, eta_t, rho_l and J as from ``prestrained``."""
     return (
         dt, dy, c.alpha_s, 0.5 * c.rho_a_kg_m3, 12.0 * c.mu_a_pa_s,
         T / dx**2, G_t / dy**2, eta_t / dy**2,
@@ -180,7 +181,7 @@ def step_numbers(dt, dx, dy, T, G_t, eta_t, rho_l, J, c):
 
 @formula
 def longest_step(rotation, dx, dy, T, G_t, eta_t, rho_s, J, b, rho_l, K_coup, c):
-    """The step at which the first mode would grow, s: the bound of vfcore/fold/stability.py without its margin.
+    """The time step at which the first mode would grow, s: the bound of vfcore/fold/stability.py without its margin.
 
     ``K_coup``: the stiffest coupling, Pa/m.
     """
@@ -191,9 +192,9 @@ def longest_step(rotation, dx, dy, T, G_t, eta_t, rho_s, J, b, rho_l, K_coup, c)
     if rotation:
         membrane_omega2 += c.G_m_pa / J
         membrane_rate += c.eta_m_pa_s / J
-    per_reduced_mass = 1.0 / rho_s + b / rho_l
-    omega2 = K_coup * per_reduced_mass
-    rate = c.C_coup_pa_s_m * per_reduced_mass
+    inv_reduced_mass = 1.0 / rho_s + b / rho_l
+    omega2 = K_coup * inv_reduced_mass
+    rate = c.C_coup_pa_s_m * inv_reduced_mass
     return min(
         _critical_step(membrane_omega2 + omega2, membrane_rate + rate),
         _critical_step(c.K_foun_pa / rho_l + omega2, c.C_foun_pa_s / rho_l + rate),
@@ -202,6 +203,6 @@ def longest_step(rotation, dx, dy, T, G_t, eta_t, rho_s, J, b, rho_l, K_coup, c)
 
 @formula
 def _critical_step(omega2, rate):
-    """The step at which s/3 + a = 1, s; infinite for a mode without spring and damper."""
+    """The step at which s/3 + a = 1, s; infinite without spring and damper."""
     weight = rate + math.sqrt(rate**2 + 4.0 / 3.0 * omega2)
     return 2.0 / weight if weight > 0.0 else math.inf

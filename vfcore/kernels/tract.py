@@ -1,7 +1,7 @@
 """Wave-reflection vocal tract (Kelly & Lochbaum 1962; paper, Acoustic output): one section of travel per step.
 
-The tract is N tubes of equal length δ. In each, pressure is the sum of two plane waves that travel one whole
-section in the time step τ = δ/c:
+The tract is N tubes of equal length δ. In each tube the pressure is the sum of two plane waves that travel one
+section per time step τ = δ/c:
 
     p = f + b,   u = (f − b)/Z_i,   Z_i = ρc/A_i
 
@@ -21,7 +21,7 @@ Then every junction scatters. Continuity of pressure and flow between tubes i an
     b'_i     = r_i F_i + (1 − r_i) B_{i+1}
     f'_0     = B_0 + Z_0 Q_g                            (paper: P_e⁺ = P_e⁻ + ρ_a c_a Q_g/A_e)
 
-The lip end is a one-pole reflection, in transposed direct form with one stored number m (coefficients β_0, β_1,
+The lip end is a one-pole reflection, in transposed direct form with one state variable m (coefficients β_0, β_1,
 a_1 from ``vfcore.airways.tract``, which derives them from the radiation impedance):
 
     b'_{N−1} = β_0 F_{N−1} + m,     m' = β_1 F_{N−1} − a_1 b'_{N−1}
@@ -29,6 +29,7 @@ a_1 from ``vfcore.airways.tract``, which derives them from the radiation impedan
 
 Exact for lossless plane waves in a stepped tube; no stability limit: with 0 < α ≤ 1 and |reflection| ≤ 1 the wave
 energy Σ A_i (f_i² + b_i²) cannot grow. Not modelled: yielding walls, frequency-dependent losses, side branches.
+Twin: tests/support/tract_twin.py. Not validated against measured tracts.
 """
 
 import math
@@ -41,21 +42,30 @@ NOT_FINITE = 1
 
 @jit
 def advance_tract(
-    flow, transmission, reflection, entry_impedance, exit_impedance, lip_reflection, forward, backward, lip_memory,
-    lip_pressure, mouth_flow,
-):  # fmt: skip
+    flow,
+    transmission,
+    reflection,
+    entry_impedance,
+    exit_impedance,
+    lip_reflection,
+    forward,
+    backward,
+    lip_memory,
+    lip_pressure,
+    mouth_flow,
+):
     """Advance the waves by ``len(flow)`` steps, in place.
 
     In: ``flow`` (n) Q_g, m³/s, one value per section travel; ``transmission`` (N) α; ``reflection`` (N−1) r;
     ``entry_impedance`` Z_0 and ``exit_impedance`` Z_{N−1}, Pa·s/m³; ``lip_reflection`` (3) β_0, β_1, a_1.
     In and out: ``forward`` (N) f, ``backward`` (N) b, ``lip_memory`` (1) m, all Pa.
     Out: ``lip_pressure`` (n) Pa, ``mouth_flow`` (n) m³/s.
-    Returns FINITE, or NOT_FINITE when the waves have left the numbers.
+    Returns FINITE, or NOT_FINITE if a wave is NaN or infinite.
     """
     last = forward.size - 1
     for n in range(flow.size):
-        arriving = transmission[0] * backward[0]  # B_i of the tube at hand
-        leaving = transmission[0] * forward[0]  # F_i; taken before f_i is overwritten
+        arriving = transmission[0] * backward[0]  # B_0
+        leaving = transmission[0] * forward[0]  # F_i, read before f_i is overwritten
         forward[0] = arriving + entry_impedance * flow[n]
         for i in range(last):
             next_leaving = transmission[i + 1] * forward[i + 1]

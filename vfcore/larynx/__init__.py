@@ -1,1 +1,1 @@
-"""From muscles to posture, and from posture to tissue."""
+"""Posture of the larynx from muscle activation, and tissue coefficients from posture."""

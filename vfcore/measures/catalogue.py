@@ -1,4 +1,4 @@
-"""The catalogue of measures, and the one call that measures a run with all of them."""
+"""The catalogue of measures, and the one call that measures signals with all of them."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
@@ -32,6 +32,10 @@ class Catalogue:
     def keys(self) -> tuple[str, ...]:
         return tuple(self._by_key)
 
+    def measurable(self, signals: Signals) -> tuple[str, ...]:
+        """Keys of the measures whose needed signals are all given; those that need a state may still have no value."""
+        return tuple(spec.key for spec in self if signals.given.issuperset(spec.signals))
+
     def as_rows(self) -> list[dict]:
         """The catalogue as plain values for JSON, tables and docs."""
         return [_plain(spec) for spec in self]
@@ -39,12 +43,13 @@ class Catalogue:
 
 @dataclass(frozen=True, slots=True)
 class MeasureReport:
-    """What was measured on one run.
+    """What was measured.
 
     ``state``: none | periodic | subharmonic | irregular, with the sentence ``explanation``.
     ``periodicity``: normalised autocorrelation peak, None without phonation. ``measures``: by key, every row of the
-    catalogue or those asked for. ``cycles``: how many cycles were averaged. ``cycle_bounds``: samples [start, stop)
-    of one representative repeating pattern in the waves, None where no cycle can be followed.
+    catalogue or the wanted ones. ``cycles``: how many cycles were averaged. ``cycle_bounds``: samples [start, stop)
+    of one representative repeating pattern in the waves, None where no cycle can be followed. ``judged``: name of the
+    signal from which state and cycles come, the glottal area, else the flow, else the sound; None where none is given.
     """
 
     state: str
@@ -53,6 +58,7 @@ class MeasureReport:
     measures: dict[str, Measure]
     cycles: int
     cycle_bounds: tuple[int, int] | None
+    judged: str | None = None
 
 
 CATALOGUE = Catalogue(ROWS)
@@ -73,16 +79,17 @@ def measure_all(
     radiate: Callable[[], Sound] | None = None,
     correlate: Callable[[], Autocorrelation] | None = None,
 ) -> MeasureReport:
-    """Measures on the last half of ``signals``; the phonation state comes first.
+    """Measures on the measured part of ``signals``; the phonation state comes first.
 
-    ``keys``: those wanted, None for every one of the catalogue; each has the same value whatever else is asked for.
-    ``radiate``: called for the sound when a measure needs it; None where the signals hold it. ``correlate``: called for
-    the autocorrelation of the measured area, unless the glottis hardly moves; None where it is to be worked out here.
-    Raises ParameterError for an unknown key.
+    ``keys``: those wanted, None for every one of the catalogue; each has the same value whatever else is wanted. A
+    measure whose signals are not given has no value and a reason. ``radiate``: called for the sound when a measure
+    needs it; None where the signals hold what there is of it. ``correlate``: called for the autocorrelation of the
+    measured area, unless the glottis hardly moves; None where it is to be computed here. Raises ParameterError for an
+    unknown key.
     """
     wanted = CATALOGUE if keys is None else [CATALOGUE[key] for key in known_keys(keys)]
     analysis = Analysis(signals, radiate, correlate)
-    cycles = analysis.cycles
+    cycles = analysis.followed_cycles
     return MeasureReport(
         state=analysis.phonation.state,
         explanation=analysis.phonation.explanation,
@@ -90,12 +97,14 @@ def measure_all(
         measures={spec.key: spec.measure(analysis) for spec in wanted},
         cycles=cycles.count if cycles else 0,
         cycle_bounds=cycles.representative if cycles else None,
+        judged=analysis.judged,
     )
 
 
 def _plain(spec: MeasureSpec) -> dict:
     row = {field.name: getattr(spec, field.name) for field in fields(spec) if field.name not in _NOT_PLAIN}
     normal = spec.normal_range
+    row["signals"] = list(spec.signals)
     row["needs"] = spec.needs.value
     row["normal_range"] = (
         None if normal is None else {"low": normal.low, "high": normal.high, "who": normal.who, "source": normal.source}

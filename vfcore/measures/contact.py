@@ -1,6 +1,7 @@
 """Contact between the folds: pressure, place, impulse, area and duration.
 
-The cycles run from one peak of the glottal area to the next, so that each holds one whole contact.
+The cycles run from one peak of the glottal area to the next, or between the middles of the times without contact where
+there is no area, so that each holds one whole contact.
 
 A cycle without contact has contact pressure, impulse, area and quotient 0; that is a finding, not a missing value.
 Only the place of the contact is then missing.
@@ -17,7 +18,7 @@ CONTACT_FRACTION = 0.25
 
 
 def pressure_max_pa(pressure_pa: np.ndarray, largest_at: np.ndarray) -> float:
-    """Mean over cycles of the largest contact pressure over x, y and t, Pa; it is at the samples ``largest_at``."""
+    """Mean over cycles of the largest contact pressure over x, y and t, Pa, found at the samples ``largest_at``."""
     return float(pressure_pa[largest_at].mean(dtype=np.float64))
 
 

@@ -1,15 +1,18 @@
 """Where cycles begin, and what each of them holds; no loop over samples that is not compiled.
 
 A cycle is cut while the glottis is closed, in the middle of the longest closed time, or at the smallest area where it
-never closes. A repeating wave is cut on an even grid of its period; an irregular one at the minima of its slow part.
+never closes; likewise in a flow, a sound that is integrated, or a contact area instead of the area. A repeating wave is
+cut on an even grid of its period; an irregular one at the minima of its slow part.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from vfcore.kernels.cycles import first_reached, lowest_each, refined_each, spaced_minima
-from vfcore.measures.phonation import Phonation
+from vfcore.measures.phonation import Phonation, Repetition
+from vfcore.measures.pitch import Autocorrelation
 
 # "Closed" means below this fraction of the cycle's peak area: closed in the plain sense, with room for rounding.
 CLOSED_FRACTION = 1e-3
@@ -43,8 +46,9 @@ class Cycles:
         """The samples of ``wave`` (full length) within these cycles, float64; of a float64 wave a view."""
         return wave[self.bounds[0] : self.bounds[-1]].astype(np.float64, copy=False)
 
-    @property
+    @cached_property
     def offsets(self) -> np.ndarray:
+        """Where each cycle begins in ``span``, samples; shape (N,)."""
         return self.bounds[:-1] - self.bounds[0]
 
     def largest(self, wave: np.ndarray) -> np.ndarray:
@@ -82,40 +86,47 @@ class Cycles:
 
 
 def plain(wave: np.ndarray) -> np.ndarray:
-    """``wave`` as compiled loops take it: float64, contiguous, and not read-only, which would be a type of its own; no
-    copy where it is so.
+    """``wave`` as compiled loops take it: float64, contiguous and writeable (read-only would be another type); copied
+    only where it is not so already.
     """
     plain = np.ascontiguousarray(wave, dtype=np.float64)
     return plain if plain.flags.writeable else plain.copy()
 
 
-def cut_cycles(area_m2: np.ndarray, start: int, phonation: Phonation) -> Cycles | None:
-    """The whole cycles of ``area_m2`` (full wave) from sample ``start`` on; None if too few can be followed."""
-    if phonation.cycle is None:
+def cut_cycles(
+    wave: np.ndarray, start: int, phonation: Phonation, correlation: Autocorrelation | None = None
+) -> Cycles | None:
+    """The whole cycles of ``wave``, the measured part of a full one from its sample ``start`` on; None if too few can
+    be followed.
+
+    ``correlation``: that of ``wave``; None where it is the wave on which the phonation was judged.
+    """
+    found = phonation.repetition
+    if found is None:
         return None
-    area = plain(area_m2[start:])
-    marks = _even_marks(area, phonation.pattern) if phonation.state == "periodic" else _followed_marks(area, phonation)
-    whole = (len(marks) - 1) // phonation.cycles_per_pattern * phonation.cycles_per_pattern
+    wave, periodic = plain(wave), phonation.state == "periodic"
+    marks = _even_marks(wave, found.pattern) if periodic else _followed_marks(wave, found, correlation)
+    whole = (len(marks) - 1) // found.cycles_per_pattern * found.cycles_per_pattern
     if whole < MIN_CYCLES:
         return None
     marks = marks[len(marks) - 1 - whole :]
-    if phonation.state == "periodic":
+    if periodic:
         bounds = np.rint(marks).astype(np.int64)
     else:
         # Followed cycles are at least 0.6 cycle apart, so a reach of a quarter keeps the cuts in order.
         bounds = np.empty(len(marks), dtype=np.int64)
-        lowest_each(area, np.rint(marks).astype(np.int64), int(phonation.cycle / 4), bounds)
-    return Cycles(marks + start, bounds + start, phonation.cycles_per_pattern)
+        lowest_each(wave, np.rint(marks).astype(np.int64), int(found.cycle / 4), bounds)
+    return Cycles(marks + start, bounds + start, found.cycles_per_pattern)
 
 
-def _even_marks(area: np.ndarray, period: float) -> np.ndarray:
+def _even_marks(wave: np.ndarray, period: float) -> np.ndarray:
     """Cuts one period apart, placed by one cycle from the middle of the window."""
     length = int(np.ceil(period))
-    first = (len(area) - length) // 2
-    one = area[first : first + length]
+    first = (len(wave) - length) // 2
+    one = wave[first : first + length]
     closed = one < CLOSED_FRACTION * one.max()
     origin = first + (_middle_of_longest_run(closed) if closed.any() else float(one.argmin()))
-    return np.arange(origin % period, len(area) - 1, period)
+    return np.arange(origin % period, len(wave) - 1, period)
 
 
 def _middle_of_longest_run(flags: np.ndarray) -> float:
@@ -128,13 +139,18 @@ def _middle_of_longest_run(flags: np.ndarray) -> float:
     return (0.5 * (begins[k] + ends[k] - 1) + first_open) % len(flags)
 
 
-def _followed_marks(area: np.ndarray, phonation: Phonation) -> np.ndarray:
-    """Minima of the slow part of the area, away from the ends of the window, where the filter sees too little."""
-    slow = phonation.correlation.slow_part(1.0 / phonation.cycle)
+def _followed_marks(wave: np.ndarray, found: Repetition, correlation: Autocorrelation | None) -> np.ndarray:
+    """Minima of the slow part of the wave, away from the ends of the window, where the filter sees too little."""
+    slow = (correlation or found.correlation).slow_part(1.0 / found.cycle)
     minima = np.empty(len(slow) // 2, dtype=np.int64)
-    minima = np.sort(minima[: spaced_minima(slow, max(int(0.6 * phonation.cycle), 1), minima)])
-    margin = phonation.cycle / 2
-    minima = minima[(minima > margin) & (minima < len(area) - 1 - margin)]
-    marks = np.empty(len(minima))
-    refined_each(slow, minima, marks)
-    return marks
+    minima = np.sort(minima[: spaced_minima(slow, max(int(0.6 * found.cycle), 1), minima)])
+    margin = found.cycle / 2
+    minima = minima[(minima > margin) & (minima < len(wave) - 1 - margin)]
+    return refined_places(slow, minima)
+
+
+def refined_places(wave: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Sub-sample positions of the extrema of ``wave`` at the samples ``places``, shape (N,)."""
+    found = np.empty(len(places))
+    refined_each(wave, places, found)
+    return found

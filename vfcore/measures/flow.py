@@ -1,6 +1,6 @@
 """Measures of the glottal flow: volumes per second, the steepest fall, and the amplitude quotient.
 
-The derivative is the flow convolved with the derivative of a Gaussian: low-pass and differentiation in one, without
+The derivative is the flow convolved with the derivative of a Gaussian: low-pass and derivative in one step, without
 delay and without overshoot, so that no ringing adds to the steepest fall. Its gain is exp(−(2πfσ)²/2), −3 dB at
 σ = √(ln 2) / (2π f_c).
 """
@@ -21,7 +21,7 @@ REACH = 6.0
 
 
 def mean_ml_s(flow_m3_s: np.ndarray) -> float:
-    """Mean of the flow samples given, mL/s: whole cycles where there are any."""
+    """Mean of a flow, shape (n,), m³/s, in mL/s."""
     return float(flow_m3_s.mean() * 1e6)
 
 

@@ -1,9 +1,9 @@
 """Quotients of the minimum glottal area waveform: how long it is closed, how it opens and closes.
 
 A cycle of length T is closed while its area is below 0.1 % of its own peak. The instants of crossing are interpolated
-between samples. Where the area lies flat on the closed side, at 0 as a rule, the sample there says nothing about when
-it got there: the crossing is then extrapolated from the three samples on the open side, along the parabola through
-them, and kept within its interval.
+between samples. Where the area is flat on the closed side, as a rule at 0, the sample there does not show when the
+glottis closed or opened: the crossing is then extrapolated from the three samples on the open side, along the parabola
+through them, and kept within its interval.
 """
 
 from dataclasses import dataclass
@@ -43,11 +43,6 @@ def open_phases(area_m2: np.ndarray, cycles: Cycles, largest_at: np.ndarray) -> 
     )  # fmt: skip
 
 
-def mean_cycle_length(phases: OpenPhases) -> float:
-    """Mean time from one opening to the next, samples."""
-    return float(np.diff(phases.opens).mean())
-
-
 def closed_quotient(phases: OpenPhases) -> float:
     """Mean fraction of the cycle with the glottis closed; 0 where it never closes."""
     return float(1.0 - phases.open_fraction.mean())
@@ -68,7 +63,7 @@ def speed_quotient(phases: OpenPhases) -> float | Missing:
 
 
 def peak_area_mm2(area_m2: np.ndarray, largest_at: np.ndarray) -> float:
-    """Mean over cycles of the largest area, mm²; it is at the samples ``largest_at``."""
+    """Mean over cycles of the largest area, mm², found at the samples ``largest_at``."""
     return float(area_m2[largest_at].mean(dtype=np.float64) * 1e6)
 
 

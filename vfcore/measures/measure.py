@@ -1,11 +1,11 @@
-"""One measured value: a number with its unit, or a sentence why there is none."""
+"""One measured value: a number with its unit, or a sentence that says why there is none."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
 class Missing:
-    """What a measure gives back when it cannot be computed: the reason, a sentence."""
+    """What is returned for a measure that cannot be computed: the reason, a sentence."""
 
     reason: str
 

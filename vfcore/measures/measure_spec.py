@@ -1,4 +1,4 @@
-"""What one row of the catalogue of measures says, and when it applies."""
+"""What one row of the catalogue of measures says, which signals it needs, and when it applies."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -6,6 +6,7 @@ from enum import Enum
 
 from vfcore.measures.analysis import Analysis
 from vfcore.measures.measure import Measure, Missing
+from vfcore.measures.signals import missing_sentence
 
 
 class Needs(Enum):
@@ -33,7 +34,7 @@ _WRONG_STATE = {
 
 @dataclass(frozen=True, slots=True)
 class NormalRange:
-    """Values to expect: ``low`` to ``high`` (equal where only a mean is published), for whom, and who says so."""
+    """Values to expect, ``low`` to ``high`` (equal where only a mean is published), in whom, and the source."""
 
     low: float
     high: float
@@ -45,8 +46,9 @@ class NormalRange:
 class MeasureSpec:
     """One measure: everything the API, the tables, the tooltips and the docs say of it, and how it is computed.
 
-    ``definition`` is a sentence for a reader, ``formula`` the same in symbols, ``threshold`` the constants in it.
-    ``version`` changes when the same waveforms would give another number.
+    ``definition`` is a sentence for a reader, ``formula`` the same in symbols, ``threshold`` the constants in it,
+    ``signal`` a description of what is measured. ``signals``: names of what must be given, fields of ``Signals`` or
+    alternatives of signals.ALTERNATIVES. ``version`` changes when the same waveforms would give another number.
     """
 
     key: str
@@ -55,6 +57,7 @@ class MeasureSpec:
     unit: str
     group: str
     signal: str
+    signals: tuple[str, ...]
     definition: str
     formula: str
     source: str
@@ -66,7 +69,7 @@ class MeasureSpec:
     version: str = "1"
 
     def measure(self, analysis: Analysis) -> Measure:
-        """The value for one run, or the reason why there is none."""
+        """The value, or the reason why there is none."""
         reason = self._obstacle(analysis)
         if reason is None:
             outcome = self.compute(analysis)
@@ -76,6 +79,8 @@ class MeasureSpec:
         return Measure(None, self.unit, reason)
 
     def _obstacle(self, analysis: Analysis) -> str | None:
+        if not analysis.given.issuperset(self.signals):
+            return missing_sentence([name for name in self.signals if name not in analysis.given])
         state = analysis.phonation.state
         if self.needs is Needs.NOTHING:
             return None
@@ -83,6 +88,6 @@ class MeasureSpec:
             return analysis.phonation.explanation
         if (self.needs, state) in _WRONG_STATE:
             return _WRONG_STATE[self.needs, state]
-        if self.needs is not Needs.PHONATION and analysis.cycles is None:
-            return "No sequence of cycles can be followed in the measured half of the run."
+        if self.needs is not Needs.PHONATION and analysis.followed_cycles is None:
+            return "No sequence of cycles can be followed in the measured part."
         return None

@@ -1,7 +1,7 @@
 """Cycle-to-cycle perturbation: jitter, shimmer and harmonics-to-noise ratio.
 
-They describe how a voice departs from repetition. A periodic run of a deterministic model has none to describe, and
-its zeros would read as perfect health, so the catalogue asks for them in irregular voices only.
+They describe how a voice departs from repetition. A periodic run of a deterministic model does not, and zeros would
+read as perfect health, so the catalogue gives them for irregular voices only.
 """
 
 from math import log10

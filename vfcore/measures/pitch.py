@@ -2,7 +2,7 @@
 
 r(τ) = Σ x(t) x(t+τ) / √(Σ x(t)² Σ x(t+τ)²), both sums over the part where the two copies overlap, x with its
 mean removed. Dividing by the energies of the two overlapping parts makes r(T) = 1 for any exactly repeating
-wave, whatever the number of cycles in the window and whether or not its amplitude changes steadily
+wave, whatever the number of cycles in the window and however steadily its amplitude changes
 (Boersma 1993 divides out the window for the same reason).
 
 r gives the root-mean-square difference between the wave and its copy, as a fraction of its own rms:
@@ -50,7 +50,7 @@ class Autocorrelation:
     def peaks(self, lag_min: int, lag_max: int) -> list[Peak]:
         """Positive local maxima of r between the lags ``lag_min`` and ``lag_max`` (samples), shortest lag first.
 
-        Each stands ``PEAK_RISE`` above the lowest r at shorter lags: not a ripple on the way down from lag 0.
+        Each is higher by ``PEAK_RISE`` than the lowest r at shorter lags, so a ripple on the fall from lag 0 is none.
         """
         lags, heights = np.empty((2, len(self.values) // 2 + 1))
         found = maxima(self.values, lag_min, lag_max, PEAK_RISE, lags, heights)
@@ -65,7 +65,7 @@ class Autocorrelation:
         return Peak(lag + offset, min(height, 1.0))
 
     def long_term_period(self, period: float) -> float:
-        """``period`` (samples) made more accurate by matching the wave ever more cycles later."""
+        """``period`` (samples), refined by matching the wave with itself ever more cycles later."""
         count = 1
         while 2 * count * period < len(self.values) - 2:
             count *= 2
@@ -85,12 +85,12 @@ class Autocorrelation:
 
 
 def autocorrelation(wave: np.ndarray) -> Autocorrelation:
-    """That of ``wave``, shape (n,), any unit."""
+    """The autocorrelation of ``wave``, shape (n,), any unit."""
     return autocorrelations(np.asarray(wave, dtype=np.float64)[None])[0]
 
 
 def autocorrelations(waves: np.ndarray) -> list[Autocorrelation]:
-    """Those of ``waves``, shape (count, n), transformed side by side in the precision they have."""
+    """The autocorrelations of ``waves``, shape (count, n), transformed in one call in the precision they have."""
     x = waves - waves.mean(axis=1, keepdims=True)
     n = x.shape[1]
     keep = n // 2 + 2

@@ -5,8 +5,8 @@ Hamming-windowed frame, up to 10 kHz (1024 points at 20 kHz in the original), is
 that cepstrum, in dB, has a peak at the quefrency 1/f_o. CPP is its height above the straight line fitted to the
 cepstrum from 1 ms to the end, averaged over frames.
 
-Lengths with large prime factors take eight times as long to transform, so a frame is filled up with zeros to a length
-without, of which a line falls on 10 kHz as in the original: at 28 kHz from 1434 to 1470 samples, whose line 525 it is.
+Lengths with large prime factors take eight times as long to transform. So a frame is filled up with zeros to a length
+without them that has a spectral line at 10 kHz, as in the original: at 28 kHz from 1434 to 1470 samples, line 525.
 """
 
 from collections.abc import Callable
@@ -44,10 +44,10 @@ def h1_h2_db(wave: np.ndarray, fo_hz: float, sample_rate_hz: float) -> float | M
 
 
 def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> float | Missing:
-    """CPP of ``wave``, shape (n,), dB, worked out in the precision the wave has."""
+    """CPP of ``wave``, shape (n,), dB, computed in the precision of the wave."""
     length, hop = round(CPP_FRAME_S * sample_rate_hz), round(CPP_HOP_S * sample_rate_hz)
     if len(wave) < length:
-        return Missing(f"The measured half of the run is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
+        return Missing(f"The measured part is shorter than one frame of {CPP_FRAME_S * 1e3:g} ms.")
     filled, last_line = _transform_lengths(length, sample_rate_hz)
     frames = np.zeros((1 + (len(wave) - length) // hop, filled), wave.dtype)
     windowed_frames(plain(wave), _window(np.hamming, length), hop, frames)
@@ -55,7 +55,7 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
     lines = min(last_line + 1, spectrum.shape[1])
     power = np.empty((len(frames), lines), wave.dtype)
     if not relative_power(spectrum, 10.0 ** (CPP_FLOOR_DB / 10.0), power):
-        return Missing("There is no sound in part of the measured half of the run.")
+        return Missing("There is no sound in part of what is measured.")
     level = 10.0 * np.log10(power, out=power)
     cepstrum = np.abs(fft.irfft(level, 2 * (lines - 1), axis=1)[:, :lines])
     cepstrum = 20.0 * np.log10(cepstrum + np.finfo(wave.dtype).tiny, out=cepstrum)
@@ -67,9 +67,9 @@ def cepstral_peak_prominence_db(wave: np.ndarray, sample_rate_hz: float) -> floa
 
 @lru_cache(maxsize=8)
 def _transform_lengths(length: int, sample_rate_hz: float) -> tuple[int, int]:
-    """To how many samples a frame of ``length`` is filled up, and which line of its spectrum is CPP_BAND_HZ.
+    """To how many samples a frame of ``length`` is filled up, and which line of its spectrum is at CPP_BAND_HZ.
 
-    As it is, with the last line up to there, where up to a tenth more samples give none.
+    Where up to a tenth more samples give no such line: ``length`` itself and the last line below.
     """
     for filled in range(length, length + length // 10):
         line = CPP_BAND_HZ * filled / sample_rate_hz

@@ -1,10 +1,10 @@
 """How far the measures of a run are from the limit of a fine grid: Richardson error bars from two finer runs.
 
-The run asked for has spacing h = √(dx·dy) and two companions with h/1.5 and h/2, time step divided by a whole number
+The run itself has spacing h = √(dx·dy) and two companions with h/1.5 and h/2, time step divided by a whole number
 at least as large (more where stability asks for it). Finer and not coarser grids, because on 10 × 5 nodes the measures
 are not yet on their way to the limit (docs/model/numerics.md).
 
-With f₁ on the finest grid, f₂, f₃ on the grid asked for, a measure that changes one way has the observed order p of
+With f₁ on the finest grid, f₂, f₃ on that of the run, a measure that changes one way has the observed order p of
 
     (h₃ᵖ − h₂ᵖ)/(h₂ᵖ − h₁ᵖ) = (f₃ − f₂)/(f₂ − f₁)
 
@@ -28,7 +28,7 @@ from vfcore.spec.simulation import GRID_LIMITS, Run, Simulation
 
 #: Refinements of the companions.
 REFINEMENTS = (1.5, 2.0)
-#: The orders that are believed: contact, and the separation point on a node, are of first order, all else of second.
+#: The orders that are accepted: contact, and the separation point on a node, are of first order, all else of second.
 LOWEST_ORDER, SCHEME_ORDER, HIGHEST_ORDER = 0.5, 1.0, 2.0
 SAFETY_OBSERVED, SAFETY_ASSUMED = 1.25, 3.0
 #: A change below this share of the value is rounding.
@@ -38,7 +38,7 @@ METHOD = "Richardson extrapolation over three grids, Roache's safety factors; do
 
 
 class Level(NamedTuple):
-    """One of the runs compared, the one asked for first."""
+    """One of the runs compared, the requested one first."""
 
     nx: int
     ny: int
@@ -103,15 +103,16 @@ def richardson(levels: Sequence[Level], reports: Sequence[MeasureReport]) -> Err
     return ErrorEstimate(tuple(levels), bars)
 
 
-def _bar(h: Sequence[float], f: Sequence[float | None], reports: Sequence[MeasureReport]) -> ErrorBar:
-    if f[0] is None:
+def _bar(h: Sequence[float], values: Sequence[float | None], reports: Sequence[MeasureReport]) -> ErrorBar:
+    if values[0] is None:
         return _none(NO_VALUE)
     states = [report.state for report in reports]
     if len(set(states)) > 1:
         return _none(f"The phonation state changes with the grid: {', '.join(states)}.")
     if states[0] == "irregular":
         return _none("Irregular phonation does not repeat: its numbers have no limit to converge to.")
-    if any(value is None or not math.isfinite(value) for value in f):
+    f = [value for value in values if value is not None and math.isfinite(value)]
+    if len(f) < len(values):
         return _none("A finer grid gives no value.")
     first, second = f[1] - f[0], f[2] - f[1]
     small = ROUNDING * max(abs(value) for value in f)
@@ -120,15 +121,14 @@ def _bar(h: Sequence[float], f: Sequence[float | None], reports: Sequence[Measur
     if first * second <= 0.0:
         return _none("The measure does not change one way as the grid is refined.")
     order = _order(h, first / second)
-    observed = order is not None
-    p, safety = (order, SAFETY_OBSERVED) if observed else (SCHEME_ORDER, SAFETY_ASSUMED)
+    p, safety = (SCHEME_ORDER, SAFETY_ASSUMED) if order is None else (order, SAFETY_OBSERVED)
     gain = (h[0] / h[2]) ** p
     to_limit = (f[2] - f[0]) * gain / (gain - 1.0)
-    return ErrorBar(safety * abs(to_limit), f[0] + to_limit, p, observed)
+    return ErrorBar(safety * abs(to_limit), f[0] + to_limit, p, order is not None)
 
 
 def _order(h: Sequence[float], ratio: float) -> float | None:
-    """The order at which the changes stand in ``ratio``, at most HIGHEST_ORDER; None below LOWEST_ORDER."""
+    """The order at which the changes have this ``ratio``, at most HIGHEST_ORDER; None below LOWEST_ORDER."""
 
     def excess(p: float) -> float:
         return (h[0] ** p - h[1] ** p) / (h[1] ** p - h[2] ** p) - ratio

@@ -1,6 +1,9 @@
-"""Many simulations reduced to their scalars, and many static shapes: what maps and sweeps are made of."""
+"""Many simulations reduced to their scalars, and many static shapes: what maps and sweeps are made of.
 
-from collections.abc import Callable, Iterator, Sequence
+A request that fails yields its VocalisError in place of an answer and leaves the others alone.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, islice
 from typing import NamedTuple
 
@@ -8,48 +11,58 @@ import numpy as np
 
 from vfcore.airways.coupled import airways_of, tract_of
 from vfcore.airways.sound import measured_sound
-from vfcore.errors import DivergenceError, ParameterError, VocalisError
+from vfcore.airways.tract import Tract
+from vfcore.errors import Cancelled, DivergenceError, ParameterError, VocalisError
 from vfcore.fold.assemble import Fold
-from vfcore.fold.march import March
-from vfcore.fold.march_many import FLOW, Motion, Outcome, march_many
+from vfcore.fold.march import TimeMarch
+from vfcore.fold.march_many import FLOW, MarchInput, MarchResult, march_many
 from vfcore.fold.stability import time_step_s
 from vfcore.fold.statics import static_shape_of
 from vfcore.larynx.posture.equilibrium import solve_each_posture
 from vfcore.larynx.posture.solution import PostureSolution
 from vfcore.measures.catalogue import MeasureReport, known_keys, measure_all
-from vfcore.measures.signals import unread, window_start
-from vfcore.runs.batched_fft import TOGETHER, Together
-from vfcore.runs.one import Prepared, fold_of, posture_of, signals_of, waveforms
+from vfcore.measures.signals import unused_samples, window_start
+from vfcore.runs.batched_fft import BATCH, BatchedFFT
+from vfcore.runs.one import FoldSetup, Stop, fold_of, posture_of, signals_of, waveforms
 from vfcore.spec.simulation import Simulation
 
-BLOCK = 64  # requests taken together, a multiple of the lanes of the step; bounds the memory of a long list
+BLOCK = 64  # requests per block, a multiple of the SIMD width of the step; bounds the memory of a long list
 PRECISIONS = ("float64", "float32")
 #: How far single precision is from double, by ``python -m tests.support.equivalence 300 float32``.
 SINGLE_PRECISION = "periodic voices within 0.002 % in f_o, 0.02 % in mean flow and 0.05 % in peak contact pressure"
 
 
 class Point(NamedTuple):
-    """One simulation of many: its posture and measures, or the ``problem`` that left it without an answer."""
+    """One simulation of many: its posture and measures."""
 
-    posture: PostureSolution | None
-    report: MeasureReport | None
-    problem: VocalisError | None
+    posture: PostureSolution
+    report: MeasureReport
+
+
+class _PosturedFold(NamedTuple):
+    """A request with its fold in its posture, before its static shape is known."""
+
+    request: Simulation
+    posture: PostureSolution
+    fold: Fold
+
+
+Keys = tuple[str, ...] | None
 
 
 def run_points(
     requests: Sequence[Simulation],
-    stop: Callable[[], bool] | None = None,
+    stop: Stop | None = None,
     *,
     measures: Sequence[str] | None = None,
     precision: str = "float64",
-) -> Iterator[Point]:
-    """Run the requests and yield one Point each, in their order.
+) -> Iterator[Point | VocalisError]:
+    """Run the requests and yield, in their order, the Point of each or the error that left it without one.
 
     ``measures``: the keys wanted, None for all of the catalogue. ``precision``: "float64" or "float32" of march and
     transforms; points with two-way coupling march one by one, in double precision. A point is the same, bit for bit,
-    whatever points run beside it. ``stop()`` is asked between chunks of voice; Cancelled is raised when it answers
-    true. Any other error belongs to its point and leaves the others alone. Raises ParameterError for an unknown measure
-    or precision.
+    whatever other points there are. ``stop()`` is called between chunks of voice; Cancelled is raised once it returns
+    true. Raises ParameterError for an unknown measure or precision.
     """
     if precision not in PRECISIONS:
         raise ParameterError("precision", f"{precision!r} is not known", " | ".join(PRECISIONS))
@@ -57,36 +70,42 @@ def run_points(
     return _points(requests, stop, keys, precision == "float32")
 
 
-def static_shapes(requests: Sequence[Simulation]) -> Iterator[Prepared | VocalisError]:
+def static_shapes(requests: Sequence[Simulation]) -> Iterator[FoldSetup | VocalisError]:
     """Posture, fold and static shape of each request, in order, or the error that says why there is none."""
-    for _, (posture, found) in _folds(requests):
-        if isinstance(found, Fold):
-            try:
-                yield Prepared(posture, found, static_shape_of(found))
-            except VocalisError as error:
-                yield error
-        else:
+    for found in _folds(requests):
+        if isinstance(found, VocalisError):
             yield found
+            continue
+        try:
+            yield FoldSetup(found.posture, found.fold, static_shape_of(found.fold))
+        except VocalisError as error:
+            yield error
 
 
-def _points(requests, stop, keys, single_precision) -> Iterator[Point]:
+def _points(
+    requests: Sequence[Simulation], stop: Stop | None, keys: Keys, single_precision: bool
+) -> Iterator[Point | VocalisError]:
     folds = _folds(requests)
     while block := list(islice(folds, BLOCK)):
-        done, motions = {}, {}
-        for place, (request, (_, found)) in enumerate(block):
+        done: dict[int, Point | VocalisError] = {}
+        motions: dict[int, MarchInput] = {}
+        marching: dict[int, _PosturedFold] = {}
+        for place, found in enumerate(block):
             try:
                 if isinstance(found, VocalisError):
-                    raise found
-                if request.model.coupling == "one_way":
-                    motions[place] = _motion(request, found)
+                    done[place] = found
+                elif found.request.model.coupling == "one_way":
+                    motions[place], marching[place] = _motion(found), found
                 else:
-                    done[place] = _reduced(request, block[place][1][0], found, _coupled(request, found, stop), keys)
+                    done[place] = _reduced(found, _coupled(found, stop), keys)
+            except Cancelled:
+                raise
             except VocalisError as error:
-                done[place] = Point(None, None, error)
+                done[place] = error
         places, following = list(motions), 0
         outcomes = march_many(list(motions.values()), single_precision=single_precision, stop=stop)
-        marched = ((places[index], outcome) for index, outcome in outcomes)
-        for place, point in (_side_by_side if single_precision else _one_by_one)(block, marched, keys):
+        marched = ((places[index], marching[places[index]], outcome) for index, outcome in outcomes)
+        for place, point in (_batched if single_precision else _one_by_one)(marched, keys):
             done[place] = point
             while following in done:
                 yield done.pop(following)
@@ -95,94 +114,95 @@ def _points(requests, stop, keys, single_precision) -> Iterator[Point]:
             yield done[place]
 
 
-def _motion(request: Simulation, fold: Fold) -> Motion:
-    run = request.run
+def _motion(found: _PosturedFold) -> MarchInput:
+    run, fold = found.request.run, found.fold
     start = static_shape_of(fold) if run.start == "static" else None
     step_s = time_step_s(run, fold)
-    motion = Motion(fold, step_s, request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
-    return motion._replace(left_out=unread(round(run.duration_s / motion.sample_s), motion.sample_s))
+    motion = MarchInput(fold, step_s, found.request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+    return motion._replace(flow_only_samples=unused_samples(round(run.duration_s / motion.sample_s), motion.sample_s))
 
 
-def _coupled(request: Simulation, fold: Fold, stop) -> Outcome:
-    """A fold coupled to its airways marches alone, and in double precision: each has its own tract in the loop."""
-    motion = _motion(request, fold)
-    beside = airways_of(request, motion.time_step_s)
-    march = March(fold, motion.time_step_s, motion.pressure_pa, motion.rise_s, beside)
+def _coupled(found: _PosturedFold, stop: Stop | None) -> MarchResult:
+    """A fold coupled to its airways marches alone, and in double precision: each has its own tract in the loop.
+
+    Raises DivergenceError and Cancelled.
+    """
+    motion = _motion(found)
+    airways = airways_of(found.request, motion.time_step_s)
+    march = TimeMarch(found.fold, motion.time_step_s, motion.pressure_pa, motion.rise_s, airways)
     march.start_flat() if motion.start is None else march.start_static(motion.start)
-    try:
-        record = march.run(round(motion.duration_s / motion.sample_s), None, stop)
-    except DivergenceError as error:
-        return Outcome(None, None, motion.sample_s, error)
-    return Outcome(record, record[:, FLOW], motion.sample_s, None)
+    record = march.run(round(motion.duration_s / motion.sample_s), None, stop)
+    return MarchResult(record, record[:, FLOW], motion.sample_s)
 
 
-def _one_by_one(block, marched: Iterator[tuple[int, Outcome]], keys) -> Iterator[tuple[int, Point]]:
-    for place, outcome in marched:
-        request, (posture, fold) = block[place]
-        yield place, _reduced(request, posture, fold, outcome, keys)
+#: Place in the block, what was set in motion, and what became of it.
+_Moved = tuple[int, _PosturedFold, MarchResult | DivergenceError]
 
 
-def _side_by_side(block, marched: Iterator[tuple[int, Outcome]], keys) -> Iterator[tuple[int, Point]]:
-    """The same, neighbours that are alike measured together, and alone those without a sound."""
+def _one_by_one(moved: Iterable[_Moved], keys: Keys) -> Iterator[tuple[int, Point | VocalisError]]:
+    for place, found, outcome in moved:
+        yield place, _reduced(found, outcome, keys)
 
-    def likeness(one: tuple[int, Outcome]):
-        place, outcome = one
-        flow = outcome.flow_m3_s
-        if flow is None or not np.isfinite(flow).all():
-            return None
-        return tract_of(block[place][0]), outcome.sample_s, len(flow), len(outcome.record)
 
-    for kind, neighbours in groupby(marched, likeness):
-        while group := list(islice(neighbours, TOGETHER)):
-            shared = kind and Together([outcome for _, outcome in group], kind[0])
-            for nth, (place, outcome) in enumerate(group):
-                request, (posture, fold) = block[place]
-                yield place, _reduced(request, posture, fold, outcome, keys, shared and (shared, nth))
+def _batched(moved: Iterable[_Moved], keys: Keys) -> Iterator[tuple[int, Point | VocalisError]]:
+    """The same with shared transforms of neighbours that are alike; those without a sound are reduced alone."""
+    for kind, neighbours in groupby(moved, _likeness):
+        while group := list(islice(neighbours, BATCH)):
+            batch = kind and BatchedFFT([run for _, _, run in group if isinstance(run, MarchResult)], kind[0])
+            for nth, (place, found, outcome) in enumerate(group):
+                yield place, _reduced(found, outcome, keys, (batch, nth) if batch else None)
+
+
+def _likeness(one: _Moved) -> tuple[Tract, float, int, int] | None:
+    """Tract, sampling interval and lengths, the same for runs that share transforms; None where there is no sound."""
+    _, found, outcome = one
+    if isinstance(outcome, DivergenceError) or not np.isfinite(outcome.flow_m3_s).all():
+        return None
+    return tract_of(found.request), outcome.sample_s, len(outcome.flow_m3_s), len(outcome.record)
 
 
 def _reduced(
-    request: Simulation,
-    posture: PostureSolution,
-    fold: Fold,
-    outcome: Outcome,
-    keys,
-    shared: tuple[Together, int] | None = None,
-) -> Point:
-    if outcome.problem is not None:
-        return Point(None, None, outcome.problem)
-    flow_m3_s, sample_s = outcome.flow_m3_s, outcome.sample_s
-    left_out = len(flow_m3_s) - len(outcome.record)
+    found: _PosturedFold,
+    outcome: MarchResult | DivergenceError,
+    keys: Keys,
+    shared: tuple[BatchedFFT, int] | None = None,
+) -> Point | VocalisError:
+    """``shared``: the transforms of the batch of the run, and its place in it."""
+    if isinstance(outcome, DivergenceError):
+        return outcome
+    record, flow_m3_s, sample_s = outcome
+    left_out = len(flow_m3_s) - len(record)
     if shared:
-        together, nth = shared
-        radiate, correlate = (lambda: together.sounds[nth]), (lambda: together.correlations[nth])
+        batch, nth = shared
+        radiate, correlate = (lambda: batch.sounds[nth]), (lambda: batch.correlations[nth])
     else:
-        radiate, correlate = (lambda: measured_sound(request, flow_m3_s, sample_s, left_out)), None
+        radiate, correlate = (lambda: measured_sound(found.request, flow_m3_s, sample_s, left_out)), None
     try:
-        arrays = waveforms(outcome.record, sample_s, fold.nx)
-        signals = signals_of(request, posture, fold, arrays, sample_s, window_start(len(flow_m3_s)) - left_out)
-        return Point(posture, measure_all(signals, keys, radiate, correlate), None)
+        arrays = waveforms(record, sample_s, found.fold.nx)
+        measured_from = window_start(len(flow_m3_s)) - left_out
+        signals = signals_of(found.request, found.posture, found.fold, arrays, sample_s, measured_from)
+        return Point(found.posture, measure_all(signals, keys, radiate, correlate))
     except VocalisError as error:
-        return Point(None, None, error)
+        return error
 
 
-def _folds(requests: Sequence[Simulation]):
-    """(request, (posture, fold)) of each in order; (None, error) in place of those that have none."""
+def _folds(requests: Sequence[Simulation]) -> Iterator[_PosturedFold | VocalisError]:
+    """The fold of each request in order, or the error that left it without one."""
     source = iter(requests)
     while block := list(islice(source, BLOCK)):
-        postures = _postures(block)
-        for request, posture in zip(block, postures, strict=True):
+        for request, posture in zip(block, _postures(block), strict=True):
             if isinstance(posture, VocalisError):
-                yield request, (None, posture)
+                yield posture
                 continue
             try:
-                yield request, (posture, fold_of(request, posture))
+                yield _PosturedFold(request, posture, fold_of(request, posture))
             except VocalisError as error:
-                yield request, (None, error)
+                yield error
 
 
 def _postures(block: list[Simulation]) -> list[PostureSolution | VocalisError]:
-    """Those alike in their posturing constants are solved in one call, whose rows do not see each other."""
-    found: list = [None] * len(block)
+    """Those alike in their posturing constants are solved in one call, whose rows do not affect each other."""
+    found: dict[int, PostureSolution | VocalisError] = {}
     alike: dict[tuple, list[int]] = {}
     for place, request in enumerate(block):
         if request.posture is None:
@@ -192,8 +212,7 @@ def _postures(block: list[Simulation]) -> list[PostureSolution | VocalisError]:
     for (posturing, length), places in alike.items():
         try:
             solved = solve_each_posture([block[place].activation for place in places], posturing, length)
+            found |= zip(places, solved, strict=True)
         except VocalisError as error:
-            solved = [error] * len(places)
-        for place, posture in zip(places, solved, strict=True):
-            found[place] = posture
-    return found
+            found |= dict.fromkeys(places, error)
+    return [found[place] for place in range(len(block))]

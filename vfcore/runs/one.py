@@ -1,4 +1,4 @@
-"""The main job: muscles in; posture, vibration, pressures, measures and sound out."""
+"""One run: from muscles to posture, vibration, pressures, measures and sound."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -14,7 +14,7 @@ from vfcore.airways.coupled import airways_of
 from vfcore.airways.sound import whole_sound
 from vfcore.errors import DivergenceError
 from vfcore.fold.assemble import Fold, assemble
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import longest_stable_step_s, time_step_s
 from vfcore.fold.statics import StaticShape, static_shape_of
 from vfcore.kernels.layout import RECORD
@@ -30,10 +30,12 @@ from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 PHASES = 100  # of the stored cycle
 UNREPEATED_S = 0.010  # what the cycle arrays hold when nothing repeats
+Progress = Callable[[float], None]
+Stop = Callable[[], bool]
 
 
-class Prepared(NamedTuple):
-    """Posture and fold of a request, before anything moves."""
+class FoldSetup(NamedTuple):
+    """Posture, fold and static shape of a request, before anything moves."""
 
     posture: PostureSolution
     fold: Fold
@@ -41,7 +43,7 @@ class Prepared(NamedTuple):
 
 
 def posture_of(request: Simulation) -> PostureSolution:
-    """The posture a request stands for: solved from the muscles, or given directly."""
+    """The posture of a request: solved from the muscles, or given directly."""
     L_0 = request.constants.L_0_m
     given = request.posture
     if given is None:
@@ -54,23 +56,23 @@ def posture_of(request: Simulation) -> PostureSolution:
     )  # fmt: skip
 
 
-def prepare(request: Simulation, alter: Callable[[Coefficients], Coefficients] = lambda c: c) -> Prepared:
+def prepare(request: Simulation, modify: Callable[[Coefficients], Coefficients] = lambda c: c) -> FoldSetup:
     """Posture, prestrained coefficients and static shape of a request (milliseconds).
 
-    ``alter`` may change the coefficients before the fold is made of them: for studies of what the paper leaves open.
+    ``modify`` may change the coefficients before the fold is made of them: for studies of what the paper leaves open.
     Raises PostureError, ParameterError or StaticShapeError.
     """
     posture = posture_of(request)
-    fold = fold_of(request, posture, alter)
-    return Prepared(posture, fold, static_shape_of(fold))
+    fold = fold_of(request, posture, modify)
+    return FoldSetup(posture, fold, static_shape_of(fold))
 
 
 def fold_of(
-    request: Simulation, posture: PostureSolution, alter: Callable[[Coefficients], Coefficients] = lambda c: c
+    request: Simulation, posture: PostureSolution, modify: Callable[[Coefficients], Coefficients] = lambda c: c
 ) -> Fold:
     """The prestrained fold of a request in its posture. Raises ParameterError where it has no stiffness left."""
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
-    c = alter(coefficients(posture.strain, request.activation.ta, request.constants))
+    c = modify(coefficients(posture.strain, request.activation.ta, request.constants))
     return assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
 
 
@@ -81,29 +83,31 @@ def static_shape(request: Simulation) -> StaticShape:
 
 def simulate(
     request: Simulation,
-    progress: Callable[[float], None] | None = None,
-    stop: Callable[[], bool] | None = None,
-    prepared_by: Callable[[Simulation], Prepared] = prepare,
+    progress: Progress | None = None,
+    stop: Stop | None = None,
+    prepared_by: Callable[[Simulation], FoldSetup] = prepare,
 ) -> SimulationResult:
     """Run a request; with ``run.error_estimate`` also its two finer companions (vfcore.runs.error_estimate).
 
     ``prepared_by`` makes the folds; other than ``prepare`` only for studies of what the paper leaves open.
-    ``progress(fraction)`` is called after each chunk of at most 40 ms of voice; ``stop()`` is asked before each.
-    Raises ParameterError (StabilityError) for a request that cannot be run, PostureError, DivergenceError,
-    Cancelled.
+    ``progress(fraction)`` is called after each chunk of at most 40 ms of voice, ``stop()`` before each. Raises
+    ParameterError (StabilityError) for a request that cannot be run, PostureError, DivergenceError, and Cancelled once
+    ``stop()`` is true.
     """
     if not request.run.error_estimate:
         return _run(request, progress, stop, prepared_by(request))
     return _run_with_companions(request, progress, stop, prepared_by)
 
 
-def _run(request: Simulation, progress, stop, ready: Prepared, step_s: float | None = None) -> SimulationResult:
+def _run(
+    request: Simulation, progress: Progress | None, stop: Stop | None, setup: FoldSetup, step_s: float | None = None
+) -> SimulationResult:
     """One run, with the time step ``step_s`` or the request's own."""
-    fold, run = ready.fold, request.run
+    fold, run = setup.fold, request.run
     step_s = step_s or time_step_s(run, fold)
-    beside = airways_of(request, step_s)
-    march = March(fold, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, beside)
-    march.start_static(ready.static) if run.start == "static" else march.start_flat()
+    airways = airways_of(request, step_s)
+    march = TimeMarch(fold, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, airways)
+    march.start_static(setup.static) if run.start == "static" else march.start_flat()
     sample_s = march.time_step_s * march.record_every
     samples = round(run.duration_s / sample_s)
     began = time.perf_counter()
@@ -113,21 +117,21 @@ def _run(request: Simulation, progress, stop, ready: Prepared, step_s: float | N
     arrays = waveforms(record, sample_s, fold.nx)
     sound = whole_sound(request, arrays["glottal_flow_m3_s"], sample_s)
     arrays |= {"radiated_pressure_pa": sound.lip_pressure_pa, "far_pressure_pa": sound.far_pressure_pa}
-    report = measure_all(signals_of(request, ready.posture, fold, arrays, sample_s), radiate=lambda: sound)
+    report = measure_all(signals_of(request, setup.posture, fold, arrays, sample_s), radiate=lambda: sound)
     first, last, complete = _cycle_bounds(report, march, samples, sample_s)
     arrays |= {
         "x_m": fold.x_m,
         "y_m": fold.y_m,
         "medial_plane_m": fold.medial_plane_m.T,
-        "static_w_m": ready.static.w_m.T,
-        "static_wb_m": ready.static.w_b,
+        "static_w_m": setup.static.w_m.T,
+        "static_wb_m": setup.static.w_b,
     }
     arrays |= march.cycle(first, last, PHASES)
     return SimulationResult(
         request=request,
-        posture=ready.posture,
+        posture=setup.posture,
         coefficients=fold.coefficients,
-        static=ready.static,
+        static=setup.static,
         report=report,
         arrays=arrays,
         cycle_is_complete=complete,
@@ -142,27 +146,35 @@ def steps_of(request: Simulation, folds: Sequence[Fold]) -> list[float]:
     return [own, *(companion_step_s(own, by, longest_stable_step_s(fold)) for by, fold in finer)]
 
 
-def _run_with_companions(request: Simulation, progress, stop, prepared_by) -> SimulationResult:
-    """The run asked for and its companions, progress being shared out by their work."""
+def _run_with_companions(
+    request: Simulation, progress: Progress | None, stop: Stop | None, prepared_by: Callable[[Simulation], FoldSetup]
+) -> SimulationResult:
+    """The run itself and its companions; progress is shared in proportion to their work."""
     requests = (request, *companions(request))
-    folds = [prepared_by(one) for one in requests]
-    steps = steps_of(request, [ready.fold for ready in folds])
+    setups = [prepared_by(one) for one in requests]
+    steps = steps_of(request, [setup.fold for setup in setups])
     work = np.cumsum([0.0] + [one.run.nx * one.run.ny / step for one, step in zip(requests, steps, strict=True)])
     work /= work[-1]
-    result, levels, reports = None, [], []
-    for k, (one, ready, step) in enumerate(zip(requests, folds, steps, strict=True)):
-        watched = progress and (lambda part, k=k: progress(work[k] + part * (work[k + 1] - work[k])))
+
+    def run(k: int) -> SimulationResult:
+        shared = progress and (lambda part: progress(work[k] + part * (work[k + 1] - work[k])))
+        return _run(requests[k], shared, stop, setups[k], steps[k])
+
+    result = run(0)
+    levels, reports = [_level(request, steps[0], result)], [result.report]
+    for k, one in enumerate(requests[1:], start=1):
         try:
-            found = _run(one, watched, stop, ready, step)
+            found = run(k)
         except DivergenceError:
-            if result is None:
-                raise
             reason = f"The companion on {one.run.nx} × {one.run.ny} nodes diverges."
             return replace(result, error_estimate=without_bars(levels, reason))
-        result = result or found
         reports.append(found.report)
-        levels.append(Level(one.run.nx, one.run.ny, step, found.report.state))
+        levels.append(_level(one, steps[k], found))
     return replace(result, error_estimate=richardson(levels, reports))
+
+
+def _level(request: Simulation, step_s: float, result: SimulationResult) -> Level:
+    return Level(request.run.nx, request.run.ny, step_s, result.report.state)
 
 
 def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
@@ -187,15 +199,12 @@ def signals_of(
     sample_s: float,
     measured_from: int | None = None,
 ) -> Signals:
-    """What the measures are told of a run: its ``waveforms`` and scalars, without the sound."""
+    """The signals of a run for its measures: its ``waveforms`` and numbers, without the sound."""
     c = fold.coefficients
     return Signals(
         sample_rate_hz=1.0 / sample_s,
-        time_s=arrays["time_s"],
         glottal_area_m2=arrays["glottal_area_m2"],
         glottal_flow_m3_s=arrays["glottal_flow_m3_s"],
-        lip_pressure_pa=None,
-        far_pressure_pa=None,
         contact_pressure_max_pa=arrays["contact_pressure_max_pa"],
         contact_location=arrays["contact_location"],
         contact_area_m2=arrays["contact_area_m2"],
@@ -211,7 +220,7 @@ def signals_of(
     )
 
 
-def _cycle_bounds(report: MeasureReport, march: March, samples: int, sample_s: float) -> tuple[int, int, bool]:
+def _cycle_bounds(report: MeasureReport, march: TimeMarch, samples: int, sample_s: float) -> tuple[int, int, bool]:
     """First and last sample of the cycle to store, moved to the last whole one that can be read back."""
     if report.cycle_bounds is None:
         return max(samples - round(UNREPEATED_S / sample_s), march.oldest_sample), samples, False
@@ -226,7 +235,7 @@ def _numba_version() -> str:
     return version("numba")
 
 
-def _provenance(march: March, sample_s: float, kernel_seconds: float) -> Provenance:
+def _provenance(march: TimeMarch, sample_s: float, kernel_seconds: float) -> Provenance:
     return Provenance(
         model_version=MODEL_VERSION,
         code_version=CODE_VERSION,

@@ -1,4 +1,4 @@
-"""What a run answers: posture, coefficients, waveforms, one cycle of fields, measures, provenance."""
+"""The result of a run: posture, coefficients, waveforms, one cycle of fields, measures, provenance."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -48,7 +48,7 @@ ARRAYS: dict[str, ArraySpec] = {
 
 @dataclass(frozen=True, slots=True)
 class Provenance:
-    """What made this result, enough to make it again."""
+    """What produced this result, enough to repeat it."""
 
     model_version: str
     code_version: str
@@ -77,4 +77,4 @@ class SimulationResult:
     arrays: dict[str, np.ndarray]
     cycle_is_complete: bool
     provenance: Provenance
-    error_estimate: ErrorEstimate | None = None  # of a request that asked for one
+    error_estimate: ErrorEstimate | None = None  # of a request with ``run.error_estimate``

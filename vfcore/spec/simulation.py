@@ -90,16 +90,19 @@ class Model:
         "posturing constants",
         tuple(POSTURE_SETS),
         source="docs/reference/constants.md",
-        help="null: the variant's own",
-    )
+        help="left out: the variant's own",
+    )  # fmt: skip
     coupling_gradient: str = choice(
-        None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model/choices.md, row 3"
+        None, "direction of the coupling gradient", COUPLING_GRADIENTS, source="docs/model/choices.md, row 3",
+        help="left out: the variant's own",
+    )  # fmt: skip
+    shear: str = choice(
+        None, "membrane shear", SHEAR_FORMS, source="docs/model/choices.md, row 6", help="left out: the variant's own"
     )
-    shear: str = choice(None, "membrane shear", SHEAR_FORMS, source="docs/model/choices.md, row 6")
     coupling: str = choice(
         None, "source–tract coupling", COUPLINGS, source=f"{PAPER}, Acoustic output; two_way: Titze (2008)",
-        help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds; null: "
-        "the variant's own",
+        help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds; left "
+        "out: the variant's own",
     )  # fmt: skip
 
     def __post_init__(self):

@@ -1,4 +1,4 @@
-"""What a client waits for, on a server with nothing else to do: a second of voice, and a map from request to table."""
+"""Waiting time of a client on an idle server: for a second of voice, and for a map from request to table."""
 
 import os
 import tempfile
@@ -13,8 +13,10 @@ PRECISIONS = {"map": "float64", "map_single": "float32"}
 
 
 def answers(rounds: int, points: int = POINTS, voices: int = VOICES) -> dict[str, list[float]]:
-    """Seconds of each answer, client to client, all workers started before: ``http``, of ``voices`` requests for 1 s of
-    voice with all arrays; ``map`` and ``map_single``, of ``rounds`` maps in double and in single precision.
+    """Seconds of each answer, measured at the client, with all workers already running.
+
+    ``http``: of ``voices`` requests for 1 s of voice with all arrays. ``map`` and ``map_single``: of ``rounds`` maps in
+    double and in single precision.
     """
     body, workers = grid(points, points), os.cpu_count() or 1
     with tempfile.TemporaryDirectory(prefix="vocalis-answers-") as folder, served(folder, workers) as (client, _):

@@ -1,9 +1,9 @@
-"""Other ways to a second of voice, timed in the same rounds where they are at hand.
+"""Other programs that make a second of voice, timed in the same rounds if they are installed.
 
 - VocalTractLab (Birkholz; PyPI ``vocaltractlab-cython``, GPL-3, optional extra ``compare``): 1 s of /a/ with its
-  geometric glottis. Its fold is a prescribed motion in a full tract, ours a computed one, so the ratio compares what a
-  user waits for, not two solvers.
-- The readable twin of the tests, at the product's step, where the tests lie beside the benchmarks.
+  geometric glottis. It prescribes the motion of the folds, Vocalis computes it. So the ratio compares waiting times,
+  not solvers.
+- The readable twin of the tests, at the default step, if the tests are installed with the benchmarks.
 """
 
 import importlib
@@ -22,7 +22,7 @@ FOLDER = Path(__file__).resolve().parents[2]
 
 
 def tasks() -> dict[str, Callable[[], object]]:
-    """The tasks that can be run here, for ``interleaved``."""
+    """The tasks that can run here, for ``interleaved``."""
     found = {}
     if importlib.util.find_spec("vocaltractlab_cython") is not None:
         found["vocaltractlab"] = _vocaltractlab()
@@ -33,7 +33,7 @@ def tasks() -> dict[str, Callable[[], object]]:
 
 
 def rows(seconds: Mapping[str, float]) -> Iterator[tuple[str, str, float, str]]:
-    """Key, label, value and unit of what ``tasks`` took, in seconds per second of voice and as ratios."""
+    """Rows (key, label, value, unit) from the times of ``tasks``: seconds per second of voice, and ratios."""
     if "twin" in seconds:
         took = seconds["twin"] / (TWIN_STEPS * DEFAULT_STEP_S)
         yield "twin_s", "readable twin of the tests, 1 s of voice", took, "s"
@@ -54,7 +54,7 @@ def _vocaltractlab() -> Callable[[], object]:
 
 def _twin() -> Callable[[], object] | None:
     sys.path.insert(0, str(FOLDER))
-    try:  # there is none in an installed wheel
+    try:  # an installed wheel has no tests
         if importlib.util.find_spec("tests.support") is None:
             return None
         twin = importlib.import_module("tests.support.fold_twin").FoldTwin(0.057, 0.4, 0.0)

@@ -1,9 +1,9 @@
-"""Arithmetic and memory operations of one step of the fold, counted by running its source on numbers that count.
+"""Arithmetic and memory operations of one step of the fold, counted by running its source on counting arrays.
 
 ``python -m vocalis.bench.count NX NY`` prints them as JSON. The loop is run interpreted (NUMBA_DISABLE_JIT=1) with
-arrays that count. So the count follows the kernel as it is written: each +, −, ×, ÷ and square root of one lane is one
-operation (a fused multiply-add two), comparisons are counted apart, each read or write of a number of the buffer is
-8 bytes, whether or not the compiler keeps it in a register. Idle columns that ride along are work done, and count.
+arrays that count. So the count follows the kernel source: each +, −, ×, ÷ and square root of one vector element is one
+operation (a fused multiply-add two), comparisons are counted separately, and each read or write of a number of the
+buffer is 8 bytes, whether or not the compiler keeps it in a register. Idle columns that pad a vector count too.
 """
 
 import json
@@ -13,14 +13,14 @@ import sys
 
 import numpy as np
 
-TOUCHING_M = 1e-6  # so deep is one row of nodes: a single run leaves contact out of open columns
-ENOUGH_STEPS = 2  # the second minus the first: what one more step costs
+TOUCHING_M = 1e-6  # penetration of one row of nodes: the kernel skips contact in open columns
+ENOUGH_STEPS = 2  # two steps minus one step is the cost of a step
 ARITHMETIC = {np.add, np.subtract, np.multiply, np.divide, np.sqrt, np.negative}
 COMPARISONS = {np.less, np.greater}
 
 
 class Counted(np.ndarray):
-    """Numbers (any shape) whose arithmetic and accesses are tallied in ``tally``, one for each number."""
+    """Array (any shape) whose arithmetic and accesses are counted per element in ``tally``."""
 
     tally = {"arithmetic": 0, "comparisons": 0, "accesses": 0}
 
@@ -33,7 +33,7 @@ class Counted(np.ndarray):
         return np.asarray(result).view(Counted)
 
     def __array_function__(self, function, types, inputs, options):
-        """Choices (``np.where``) move numbers and are not counted."""
+        """Selections (``np.where``) move numbers and are not counted."""
         plain = [np.asarray(value) if isinstance(value, Counted) else value for value in inputs]
         return np.asarray(function(*plain, **options)).view(Counted)
 
@@ -48,7 +48,7 @@ class Counted(np.ndarray):
 
 
 def count_step(nx: int, ny: int) -> dict[str, int]:
-    """Arithmetic operations, comparisons and buffer accesses of one step on nx × ny nodes, in another process."""
+    """Arithmetic operations, comparisons and buffer accesses of one step on nx × ny nodes, in a new process."""
     environment = os.environ | {"NUMBA_DISABLE_JIT": "1"}
     command = [sys.executable, "-m", "vocalis.bench.count", str(nx), str(ny)]
     return json.loads(subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout)

@@ -1,8 +1,8 @@
-"""What earlier runs of the benchmarks found, and whether the kernel has become slower since.
+"""Results of earlier benchmark runs, and whether the kernel has become slower since.
 
-Seconds depend on the machine and on what else it does. Ratios of the quickest turns of two things timed in the same
-interleaved rounds depend on them far less, so only ratios to the plain loop are compared: with the median of the
-earlier runs on the same processor.
+Seconds depend on the machine and its load. Ratios of the quickest turns of two tasks timed in the same interleaved
+rounds depend on them far less. So only ratios to the plain loop are compared, with the median of earlier runs on the
+same processor.
 """
 
 import json
@@ -11,9 +11,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from statistics import median
 
-from vfcore.kernels.jit import data_directory
+from vfcore.directories import data_directory
 
-#: Ratios of which a fall is a regression; each is plain loop / kernel, higher is better.
+#: Ratios watched for regressions; each is plain loop / kernel, higher is better.
 WATCHED = ("reference_ratio", "paper_step_ratio", "batch_ratio", "single_precision_ratio")
 TOLERANCE = 0.15
 
@@ -23,7 +23,7 @@ def history_file() -> Path:
 
 
 def earlier(file: Path, processor: str | None) -> list[dict]:
-    """The runs kept in ``file`` for this processor, oldest first."""
+    """The runs stored in ``file`` for this processor, oldest first."""
     if not file.exists():
         return []
     runs = [json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()]
@@ -31,7 +31,7 @@ def earlier(file: Path, processor: str | None) -> list[dict]:
 
 
 def keep(file: Path, processor: str | None, values: Mapping[str, float]) -> None:
-    """Add a run's values to the file."""
+    """Append the values of a run to the file."""
     file.parent.mkdir(parents=True, exist_ok=True)
     run = {"time": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()), "processor": processor, "values": dict(values)}
     with file.open("a", encoding="utf-8") as lines:
@@ -39,7 +39,7 @@ def keep(file: Path, processor: str | None, values: Mapping[str, float]) -> None
 
 
 def regressions(values: Mapping[str, float], runs: Sequence[Mapping]) -> list[str]:
-    """A sentence for each watched ratio that has fallen by more than TOLERANCE below the median of ``runs``."""
+    """A sentence for each watched ratio that is more than TOLERANCE below the median of ``runs``."""
     found = []
     for key in WATCHED:
         before = [run["values"][key] for run in runs if key in run["values"]]

@@ -1,7 +1,7 @@
-"""How long the calls behind the page take, alone and while jobs keep every worker process busy.
+"""Response time of the calls behind the page, on an idle server and while jobs keep every worker process busy.
 
-``python -m vocalis.bench.interactive`` starts a server of its own and prints one row a call. Every request differs from
-all before it, so that none is answered from what the server keeps.
+``python -m vocalis.bench.interactive`` starts its own server and prints one row per call. No request is repeated, so
+none is answered from a cache.
 """
 
 import argparse
@@ -21,24 +21,26 @@ from vocalis.server.warmup.compile import compile_everything
 
 CALLS = 100
 RUN_S = 0.5
-BUSY_S = 60.0  # simulated; at the paper's step some half a minute of work each
+BUSY_S = 60.0  # simulated; at the paper's step about half a minute of work each
 PAPER_STEP_S = 1.7857142857142857e-6
 READY_WITHIN_S = 180
-#: Milliseconds within which a call must answer, jobs or not.
+#: 95th percentile allowed for a call, ms, with or without jobs.
 POSTURE_MS, RUN_MS = 20.0, 60.0
-SECOND_MS = 40.0  # 1 s of voice on a machine with nothing else to do
+SECOND_MS = 40.0  # 1 s of voice on an idle machine
 
 
 @contextmanager
 def server_process(**environment: str) -> Iterator[tuple[str, subprocess.Popen]]:
-    """Address and process of a server of its own, ready to compute, with nothing left to compile."""
+    """Address and process of a new server that is ready, with all kernels compiled."""
     compile_everything()
     process = subprocess.Popen(
         [sys.executable, "-m", "vocalis.server", "--port", "0"],
-        env=os.environ | {"VOCALIS_WARM_WORKERS": "0"} | environment, stdout=subprocess.PIPE, text=True,
-    )  # fmt: skip
+        env=os.environ | {"VOCALIS_WARM_WORKERS": "0"} | environment,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
     try:
-        address = re.search(r"https?://[^\s/#]+", process.stdout.readline())[0]
+        address = printed_address(process)
         deadline = time.monotonic() + READY_WITHIN_S
         while not httpx.get(f"{address}/api/v1/health", timeout=60).json()["ready"]:
             if time.monotonic() > deadline:
@@ -50,9 +52,18 @@ def server_process(**environment: str) -> Iterator[tuple[str, subprocess.Popen]]
         process.wait(20)
 
 
+def printed_address(process: subprocess.Popen) -> str:
+    """The address that a server prints first. RuntimeError if its first line has none."""
+    line = process.stdout.readline() if process.stdout else ""
+    found = re.search(r"https?://[^\s/#]+", line)
+    if found is None:
+        raise RuntimeError(f"the server printed no address: {line!r}")
+    return found[0]
+
+
 @contextmanager
 def server() -> Iterator[httpx.Client]:
-    """A client of a server of its own process."""
+    """A client of a new server process."""
     with server_process() as (address, _), httpx.Client(base_url=f"{address}/api/v1", timeout=60) as client:
         yield client
 
@@ -62,13 +73,13 @@ def posture(client: httpx.Client, ct: float) -> httpx.Response:
 
 
 def run(client: httpx.Client, ct: float, duration_s: float = RUN_S) -> httpx.Response:
-    """Half a second of voice, or another stretch, with all its arrays."""
+    """A run of ``duration_s`` with all its arrays."""
     body = {"activation": {"ct": ct}, "run": {"duration_s": duration_s}}
     return client.post("/simulate", json=body, headers={"Accept": "application/octet-stream"})
 
 
 def milliseconds(call: Callable, client: httpx.Client, offset: float, calls: int = CALLS) -> np.ndarray:
-    """Each of ``calls`` calls, client to client."""
+    """Milliseconds of each of ``calls`` calls, measured at the client."""
     times = []
     for k in range(calls):
         began = time.perf_counter()
@@ -79,7 +90,7 @@ def milliseconds(call: Callable, client: httpx.Client, offset: float, calls: int
 
 @contextmanager
 def busy(client: httpx.Client) -> Iterator[int]:
-    """As many long jobs as the server has workers; dismissed at the end."""
+    """Start as many long jobs as the server has workers; dismiss them at the end."""
     workers = client.get("/health").json()["engine"]["workers"]
     request = {"run": {"duration_s": BUSY_S, "time_step_s": PAPER_STEP_S}}
     jobs = [client.post("/jobs", json=request | {"subglottal_pressure_pa": 900 + k}).json() for k in range(workers)]
@@ -97,7 +108,7 @@ def report(name: str, times: np.ndarray, wanted_ms: float) -> bool:
 
 
 def main() -> int:
-    """0 when every call keeps within its bound."""
+    """0 if every call stays within its bound."""
     argparse.ArgumentParser(prog="python -m vocalis.bench.interactive", description=__doc__).parse_args()
     with server() as client:
         posture(client, 0.3), run(client, 0.3)

@@ -1,7 +1,7 @@
-"""What one core of this machine can do at best, measured by two small compiled loops.
+"""Peak arithmetic and L1 bandwidth of one core, measured by two small compiled loops.
 
-They work on the lanes of the step (vfcore/kernels/simd.py): left to the compiler they would take vectors of half that
-width on processors that can do more, and the kernel's fraction of what the core can do would look twice as good.
+They use the SIMD vectors of the step (vfcore/kernels/simd.py). The compiler alone would choose vectors of half that
+width on some processors, and the fraction of the peak that the kernel reaches would look twice as high.
 """
 
 import numpy as np
@@ -11,16 +11,17 @@ from vfcore.kernels.layout import LANES
 from vfcore.kernels.simd import load, store
 
 W = LANES["float64"]
-CHAINS = 12  # multiply-adds under way at a time: more than any processor's latency needs
+CHAINS = 12  # independent multiply-adds, enough to hide the latency on any processor
 REPEATS = 1_000_000
-GROUPS = 48  # three arrays of them take 9 KiB of L1
+GROUPS = 48  # vectors per array; three arrays take 9 KiB of L1
 ROUNDS = 100_000
 
 
 @jit
 def multiply_add(a, repeats):
-    """``repeats`` multiply-adds on each of the first CHAINS·W numbers of ``a``, with the 2·W that follow them as factor
-    and term: bound by arithmetic alone.
+    """``repeats`` multiply-adds on each of the first CHAINS·W numbers of ``a``; limited by arithmetic alone.
+
+    The following 2·W numbers of ``a`` are the factor and the term.
     """
     x, y = load(a, CHAINS * W, W), load(a, CHAINS * W + W, W)
     a_0, a_1, a_2, a_3 = load(a, 0, W), load(a, W, W), load(a, 2 * W, W), load(a, 3 * W, W)
@@ -35,19 +36,19 @@ def multiply_add(a, repeats):
 
 @jit
 def triad(a, b, c, factor, rounds):
-    """``rounds`` times a = b + factor c on arrays (n,): two loads and a store per multiply-add, bound by L1."""
+    """``rounds`` times a = b + factor c on arrays (n,): two loads and a store per multiply-add, limited by L1."""
     for _ in range(rounds):
         for i in range(0, a.size, W):
             store(a, i, load(b, i, W) + factor * load(c, i, W))
 
 
 def peak_task():
-    """A task for ``interleaved`` and the floating-point operations it does."""
+    """A task for ``interleaved``, and its number of floating-point operations."""
     a = np.full((CHAINS + 2) * W, 0.5)
     return lambda: multiply_add(a, REPEATS), 2 * CHAINS * W * REPEATS
 
 
 def cache_task():
-    """A task for ``interleaved`` and the bytes it moves."""
+    """A task for ``interleaved``, and the number of bytes it moves."""
     a, b, c = (np.zeros(GROUPS * W) for _ in range(3))
     return lambda: triad(a, b, c, 1e-9, ROUNDS), 24 * GROUPS * W * ROUNDS

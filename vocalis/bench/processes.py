@@ -1,4 +1,4 @@
-"""What only a fresh process can show: start-up with and without compiled kernels, and memory."""
+"""Measurements that need a fresh process: start-up with and without compiled kernels, and memory."""
 
 import json
 import os
@@ -15,8 +15,8 @@ vfcore.simulate(vfcore.Simulation(run=vfcore.Run(duration_s=0.02)))
 print(json.dumps({"load_s": loaded - began, "first_result_s": time.perf_counter() - loaded}))
 """
 
-# Not ru_maxrss: that starts with the size of the process that started this one. The number 5 written to
-# clear_refs sets the high-water mark to what is resident now.
+# Not ru_maxrss: that starts at the size of the parent process. Writing 5 to clear_refs resets the high-water mark to
+# the present resident size.
 _MEMORY = """
 import json, re, vfcore
 def peak_bytes():
@@ -32,14 +32,14 @@ print(json.dumps({"before_bytes": before, "after_bytes": peak_bytes()}))
 
 
 def first_results() -> tuple[dict[str, float], dict[str, float]]:
-    """Seconds to load and to the first result: with an empty kernel cache, and in a second process with a full one."""
+    """Seconds to import and to the first result: with an empty kernel cache, then in a new process with a full one."""
     with tempfile.TemporaryDirectory() as folder:
         environment = {"VOCALIS_DATA": folder}
         return _run(_FIRST_RESULT, environment), _run(_FIRST_RESULT, environment)
 
 
 def memory() -> dict[str, float] | None:
-    """Resident bytes of a process after a short run, and the peak during a run of 1 s after it; None but on Linux."""
+    """Resident bytes after a short run, and the peak during a run of 1 s after it; None except on Linux."""
     if sys.platform != "linux":
         return None
     return _run(_MEMORY, {})
@@ -47,7 +47,7 @@ def memory() -> dict[str, float] | None:
 
 def _run(script: str, environment: dict[str, str]) -> dict[str, float]:
     command = [sys.executable, "-c", script]
-    # A cache directory set by the user would hide the cold start.
+    # A cache directory set by the user would make the cold start warm.
     inherited = {name: value for name, value in os.environ.items() if name != "NUMBA_CACHE_DIR"}
     done = subprocess.run(command, env=inherited | environment, check=True, capture_output=True, text=True)
     return json.loads(done.stdout)

@@ -1,9 +1,12 @@
-"""The same equations as a plain compiled loop, to compare the product's kernel with.
+"""The same equations as a plain compiled loop, the reference for the speed and accuracy of the kernel.
 
-What one would write first: two-dimensional arrays, node by node, a search for the separation point, semi-implicit
-Euler with the beam explicit, at a fifth of the product's step (7.14 µs, one section of the tract; the explicit beam
-would not be stable much beyond). The laws of flow, contact and membrane are the product's own functions. Kelvin–Voigt
-shear only.
+The obvious implementation: two-dimensional arrays, node by node, a search for the separation point, semi-implicit Euler
+with an explicit beam
+
+    v^{n+1} = v^n + dt a(w^n, v^n),   w^{n+1} = w^n + dt v^{n+1}
+
+at a fifth of the default step (7.14 µs, one section of the tract; the explicit beam is not stable much beyond). Order 1
+in dt. Flow, contact and membrane use the laws of vfcore/kernels. Kelvin–Voigt shear only.
 """
 
 from typing import NamedTuple
@@ -25,7 +28,7 @@ tension, coupling, kelvin_voigt = membrane.tension, membrane.coupling, membrane.
 
 
 class Laws(NamedTuple):
-    """The numbers of one fold, SI; names as in layout.SCALARS."""
+    """Coefficients of one fold, SI; names as in layout.SCALARS."""
 
     dx: float
     dy: float
@@ -47,7 +50,7 @@ class Laws(NamedTuple):
 
 @jit
 def _slice_pressure(w, G, i, k, p, d):
-    """Fill ``p`` (ny,) with the aerodynamic pressure of slice ``i``; ``d`` (ny,) is working space. Returns d_min, q."""
+    """Fill ``p`` (ny,) with the aerodynamic pressure of slice ``i``; ``d`` (ny,) is scratch. Returns d_min, q."""
     ny = p.size
     d_min, d_max = np.inf, 0.0
     for j in range(ny):
@@ -114,21 +117,31 @@ def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, reco
 
 
 def plain_run(fold: Fold, P_s_pa: float, duration_s: float, step_s: float = STEP_S) -> np.ndarray:
-    """Minimum glottal area, m², flow, m³/s, and largest contact pressure, Pa, every ``step_s`` from the flat start."""
+    """Record (steps, 3) from the flat start: minimum glottal area, m², flow, m³/s, and largest contact pressure, Pa."""
     c, air = fold.coefficients, fold.constants
     laws = Laws(
-        fold.dx, fold.dy, P_s_pa, air.alpha_s, 0.5 * air.rho_a_kg_m3, 12.0 * air.mu_a_pa_s,
-        c.membrane_tension_n_m / fold.dx**2, c.membrane_shear_n_m, c.membrane_shear_viscosity_n_s_m, air.C_coup_pa_s_m,
-        air.K_col_pa_m, air.C_col_pa_s_m, air.K_foun_pa, air.C_foun_pa_s, c.membrane_density_kg_m2,
-        c.beam_density_kg_m,
-    )  # fmt: skip
+        dx=fold.dx,
+        dy=fold.dy,
+        P_s=P_s_pa,
+        alpha_s=air.alpha_s,
+        half_rho_a=0.5 * air.rho_a_kg_m3,
+        twelve_mu_a=12.0 * air.mu_a_pa_s,
+        T_over_dx2=c.membrane_tension_n_m / fold.dx**2,
+        G_shear=c.membrane_shear_n_m,
+        eta_shear=c.membrane_shear_viscosity_n_s_m,
+        C_coup=air.C_coup_pa_s_m,
+        K_col=air.K_col_pa_m,
+        C_col=air.C_col_pa_s_m,
+        K_foun=air.K_foun_pa,
+        C_foun=air.C_foun_pa_s,
+        rho_s=c.membrane_density_kg_m2,
+        rho_l=c.beam_density_kg_m,
+    )
     w = 1e-9 * np.sin(np.pi * fold.y_m / fold.y_m[-1])[:, None] * np.sin(np.pi * fold.x_m / fold.x_m[-1])
     w[:, [0, -1]] = 0.0
     record = np.empty((round(duration_s / step_s), 3))
     v, w_b, v_b = np.zeros_like(w), np.zeros(fold.nx), np.zeros(fold.nx)
     force, p, d = np.empty((fold.ny + 1, fold.nx)), np.empty(fold.ny), np.empty(fold.ny)
-    _advance(
-        w, v, w_b, v_b, fold.medial_plane_m, fold.K_coup_pa_m, fold.beam_matrix_n_m2, fold.beam_load_n_m, laws, step_s,
-        len(record), force, p, d, record,
-    )  # fmt: skip
+    fixed = fold.medial_plane_m, fold.K_coup_pa_m, fold.beam_matrix_n_m2, fold.beam_load_n_m
+    _advance(w, v, w_b, v_b, *fixed, laws, step_s, len(record), force, p, d, record)
     return record

@@ -1,25 +1,30 @@
-"""Timing of several things fairly: one after the other, round after round, so that all see the same machine.
+"""Interleaved timing: tasks run one after the other, round after round, so all see the same state of the machine.
 
-A short task is called again and again within its turn: a single call after another task would time how cold the caches
-are and how soon the processor wakes.
+Within its turn a short task is called repeatedly. A single call would mostly time cold caches and the wake-up of the
+processor.
 """
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from statistics import median
+from typing import TypeVar
 
-TURN_S = 0.1  # at least so long is each task's turn in a round
+TURN_S = 0.1  # minimum length of the turn of a task in a round
+
+Name = TypeVar("Name", bound=Hashable)
 
 
-def interleaved(tasks: Mapping[str, Callable[[], object]], rounds: int, turn_s: float = TURN_S) -> dict[str, float]:
-    """Median over ``rounds`` rounds of the seconds of one call of each task: the median of ``turns``."""
+def interleaved(tasks: Mapping[Name, Callable[[], object]], rounds: int, turn_s: float = TURN_S) -> dict[Name, float]:
+    """Seconds per call of each task, median over ``rounds`` rounds."""
     return {name: median(values) for name, values in turns(tasks, rounds, turn_s).items()}
 
 
-def turns(tasks: Mapping[str, Callable[[], object]], rounds: int, turn_s: float = TURN_S) -> dict[str, list[float]]:
-    """Seconds of one call of each task in each of ``rounds`` rounds, after a round that does not count; each has turns
-    of at least ``turn_s``, of which the mean over its calls is taken."""
-    seconds: dict[str, list[float]] = {name: [] for name in tasks}
+def turns(tasks: Mapping[Name, Callable[[], object]], rounds: int, turn_s: float = TURN_S) -> dict[Name, list[float]]:
+    """Seconds per call of each task in each of ``rounds`` rounds, after one round of warm-up.
+
+    Each number is the mean over the calls of a turn of at least ``turn_s``.
+    """
+    seconds: dict[Name, list[float]] = {name: [] for name in tasks}
     for lap in range(rounds + 1):
         for name, task in tasks.items():
             took = _turn(task, turn_s)
@@ -29,7 +34,7 @@ def turns(tasks: Mapping[str, Callable[[], object]], rounds: int, turn_s: float 
 
 
 def _turn(task: Callable[[], object], turn_s: float) -> float:
-    """Mean seconds of a call over at least ``turn_s``."""
+    """Mean seconds per call over at least ``turn_s``."""
     calls, began = 0, time.perf_counter()
     while True:
         task()

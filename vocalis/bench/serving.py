@@ -1,8 +1,8 @@
-"""A class of clients on one server while a sweep runs: errors, memory, and how long a posture takes to come back.
+"""Many clients on one server while a sweep runs: errors, memory and response time of postures.
 
-``python -m vocalis.bench.serving [--clients 100] [--seconds 300]`` prints the figures as JSON. Each client asks for one
-posture a second. It fails on an answer that is neither 200 nor a declared 429, on memory that grows by more than 10 %
-after the first fifth of the time, and on a 95th percentile of 100 ms or more.
+``python -m vocalis.bench.serving [--clients 100] [--seconds 300]`` prints the figures as JSON. Each client requests one
+posture per second. It fails on a status other than 200 or 429, if memory grows by more than 10 % after the first fifth
+of the time, or if the 95th percentile is 100 ms or more.
 """
 
 import argparse
@@ -18,6 +18,8 @@ from collections import Counter
 
 import httpx
 
+from vocalis.bench.interactive import printed_address
+
 SWEEP = {
     "kind": "sweep",
     "axes": [
@@ -27,14 +29,14 @@ SWEEP = {
 }
 MOST_GROWTH = 0.10
 MOST_P95_S = 0.100
-SETTLED = 0.2  # of the time: caches are filled by then
+SETTLED = 0.2  # fraction of the time after which caches are full
 LOOK_EVERY_S = 1.0
 MB = 2**20
 
 
 async def _client(client: httpx.AsyncClient, number: int, until: float, answers: Counter, seconds: list[float]) -> None:
     chance = random.Random(number)
-    await asyncio.sleep(chance.random())  # not all in the same instant
+    await asyncio.sleep(chance.random())  # so that the clients do not start at the same time
     turn = time.monotonic()
     while time.monotonic() < until:
         body = {"activation": {muscle: chance.random() for muscle in ("ta", "ct", "lca", "ia")}}
@@ -58,15 +60,15 @@ async def _measure(url: str, pid: int, clients: int, seconds: float) -> dict:
     answers: Counter[int] = Counter()
     delays: list[float] = []
     resident: list[float] = []
-    # A kept connection is let go before the server's own 5 s are over.
+    # Close idle connections before the server does, after 5 s.
     limits = httpx.Limits(max_connections=clients, max_keepalive_connections=clients, keepalive_expiry=3)
     async with httpx.AsyncClient(base_url=f"{url}/api/v1", limits=limits, timeout=30) as client:
         while not (await client.get("/health")).json()["ready"]:
             await asyncio.sleep(0.1)
         sweep = (await client.post("/jobs", json=SWEEP)).json()
         until = time.monotonic() + seconds
-        asking = [_client(client, number, until, answers, delays) for number in range(clients)]
-        await asyncio.gather(_memory(pid, until, resident), *asking)
+        requesting = [_client(client, number, until, answers, delays) for number in range(clients)]
+        await asyncio.gather(_memory(pid, until, resident), *requesting)
         done = (await client.get(f"/jobs/{sweep['id']}")).json()
         await client.delete(f"/jobs/{sweep['id']}")
     delays.sort()
@@ -93,11 +95,13 @@ def main() -> None:
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="vocalis-serving-") as folder:
         server = subprocess.Popen(
-            [sys.executable, "-m", "vocalis.server", "--port", "0"], stdout=subprocess.PIPE, text=True,
+            [sys.executable, "-m", "vocalis.server", "--port", "0"],
+            stdout=subprocess.PIPE,
+            text=True,
             env=os.environ | {"VOCALIS_JOBS_DIRECTORY": folder},
-        )  # fmt: skip
+        )
         try:
-            url = server.stdout.readline().split()[1]
+            url = printed_address(server)
             found = asyncio.run(_measure(url, server.pid, options.clients, options.seconds))
         finally:
             server.kill()

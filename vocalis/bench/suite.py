@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfcore.fold.march import March
-from vfcore.fold.march_many import Motion, march_many
+from vfcore.fold.march import TimeMarch
+from vfcore.fold.march_many import MarchInput, march_many
 from vfcore.fold.statics import static_shape_of
 from vfcore.io.netcdf import write_netcdf
 from vfcore.kernels.layout import LANES, Layout
@@ -37,9 +37,10 @@ REFERENCE_TARGET, GAINS = 20.0, {"batch": 1.25, "single_precision": 2.0}
 
 
 class Row(NamedTuple):
-    """One number of the table. ``value``: with the median of all rounds; ``quickest``: with the quickest turn of each
-    task, which is what the machine does while nobody else wants it; ``target``: at most this, in the same unit, and
-    ``at_least`` this.
+    """One number of the table.
+
+    ``value``: from the median of all rounds. ``quickest``: from the quickest turn of each task, that is, without
+    contention. ``target``: upper limit in the same unit. ``at_least``: lower limit.
     """
 
     key: str
@@ -52,15 +53,17 @@ class Row(NamedTuple):
 
 
 def run(rounds: int, fresh_processes: bool = True, progress: Callable[[str], None] = lambda what: None) -> list[Row]:
-    """Every row; ``progress`` is told what is being measured. ``fresh_processes``: memory, start-up, counts, and the
-    answers of a server too."""
+    """All rows. ``progress`` is called with the name of each part.
+
+    ``fresh_processes``: also what needs new processes: memory, start-up, operation counts and answers of a server.
+    """
     progress(f"timing, {rounds} rounds")
     with tempfile.TemporaryDirectory() as folder:
         seconds = turns(_tasks(Path(folder) / "result.nc"), rounds)
-    rows = _beside(_timings, seconds)
+    rows = _with_quickest(_timings, seconds)
     if fresh_processes:
         progress("answers of a server")
-        rows += _beside(_answers, seconds | answers(rounds))
+        rows += _with_quickest(_answers, seconds | answers(rounds))
         progress("memory of a run")
         rows += _memory()
         progress("compiling from nothing")
@@ -68,12 +71,12 @@ def run(rounds: int, fresh_processes: bool = True, progress: Callable[[str], Non
         progress("counting operations")
         grid = Simulation().run
         counted = count_step(grid.nx, grid.ny)
-        rows += _beside(lambda took: _efficiency(took, counted), seconds)
+        rows += _with_quickest(lambda took: _efficiency(took, counted), seconds)
     return rows
 
 
 def machine_description() -> dict[str, str | int | None]:
-    """Where the numbers were taken."""
+    """The machine on which the numbers were measured."""
     return {
         "machine": platform.machine(),
         "processor": _processor(),
@@ -90,15 +93,15 @@ def _tasks(stored: Path) -> dict[str, Callable[[], object]]:
 
     def kernel(step_s: float) -> Callable[[], object]:
         def march():
-            moving = March(fold, step_s, request.subglottal_pressure_pa)
+            moving = TimeMarch(fold, step_s, request.subglottal_pressure_pa)
             moving.start_flat()
             return moving.run(round(1.0 / (step_s * moving.record_every)))
 
         return march
 
     def batch(precision: str) -> Callable[[], object]:
-        motions = [Motion(fold, DEFAULT_STEP_S, request.subglottal_pressure_pa, BATCH_VOICE_S)] * LANES[precision]
-        return lambda: list(march_many(motions, single_precision=precision == "float32"))
+        inputs = [MarchInput(fold, DEFAULT_STEP_S, request.subglottal_pressure_pa, BATCH_VOICE_S)] * LANES[precision]
+        return lambda: list(march_many(inputs, single_precision=precision == "float32"))
 
     return {
         "posture": lambda: solve_posture(request.activation, request.posturing),
@@ -117,8 +120,8 @@ def _tasks(stored: Path) -> dict[str, Callable[[], object]]:
     } | compare.tasks()
 
 
-def _beside(rows: Callable[[dict[str, float]], Iterator[Row]], seconds: dict[str, list[float]]) -> list[Row]:
-    """The rows of the medians of ``seconds``, with the number that the quickest turns give in the same row."""
+def _with_quickest(rows: Callable[[dict[str, float]], Iterator[Row]], seconds: dict[str, list[float]]) -> list[Row]:
+    """Rows from the medians of ``seconds``, each with the number from the quickest turns in ``quickest``."""
     typical, best = (rows({name: of(took) for name, took in seconds.items()}) for of in (median, min))
     return [row._replace(quickest=other.value) for row, other in zip(typical, best, strict=True)]
 
@@ -128,24 +131,16 @@ def _timings(seconds: dict[str, float]) -> Iterator[Row]:
     yield Row("posture_batch_us", f"posture, each of a batch of {BATCH}", seconds["postures"] / BATCH * 1e6, "µs")
     yield Row("static_ms", "static shape with contact", seconds["static"] * 1e3, "ms")
     yield Row("prepare_ms", "request → posture and static shape", seconds["prepare"] * 1e3, "ms")
-    yield Row(
-        "kernel_s", f"kernel, 1 s of voice, step {DEFAULT_STEP_S * 1e6:.2f} µs", seconds["kernel"], "s",
-        KERNEL_TARGET_S,
-    )  # fmt: skip
-    yield Row(
-        "kernel_paper_step_s", f"  at the paper's step, {PAPER_STEP_S * 1e6:.4f} µs",
-        seconds["kernel_paper_step"], "s", PAPER_STEP_TARGET_S,
-    )  # fmt: skip
-    yield Row(
-        "reference_s", f"plain compiled loop, step {reference.STEP_S * 1e6:.2f} µs",
-        seconds["reference"], "s",
-    )  # fmt: skip
+    label = f"kernel, 1 s of voice, step {DEFAULT_STEP_S * 1e6:.2f} µs"
+    yield Row("kernel_s", label, seconds["kernel"], "s", KERNEL_TARGET_S)
+    label = f"  at the paper's step, {PAPER_STEP_S * 1e6:.4f} µs"
+    yield Row("kernel_paper_step_s", label, seconds["kernel_paper_step"], "s", PAPER_STEP_TARGET_S)
+    label = f"plain compiled loop, step {reference.STEP_S * 1e6:.2f} µs"
+    yield Row("reference_s", label, seconds["reference"], "s")
     ratio = seconds["reference"] / seconds["kernel"]
     yield Row("reference_ratio", "plain loop / kernel", ratio, "×", at_least=REFERENCE_TARGET)
-    yield Row(
-        "paper_step_ratio", "plain loop / kernel at the paper's step",
-        seconds["reference"] / seconds["kernel_paper_step"], "×",
-    )  # fmt: skip
+    ratio = seconds["reference"] / seconds["kernel_paper_step"]
+    yield Row("paper_step_ratio", "plain loop / kernel at the paper's step", ratio, "×")
     for task, precision, label in (("batch", "float64", "batch"), ("batch_single", "float32", "single_precision")):
         each = seconds[task] / LANES[precision] / BATCH_VOICE_S
         yield Row(f"{label}_s", f"kernel, each of {LANES[precision]} voices in {precision}", each, "s")

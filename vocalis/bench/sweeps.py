@@ -1,10 +1,13 @@
-"""Sweeps through the job system: how long they take on all cores, and what the job system itself costs.
+"""Sweeps through the job system: their time on all cores, and the overhead of the job system.
 
-``python -m vocalis.bench.sweeps [map|large]`` prints figures as JSON. ``map``: 21 × 21 over CT and TA, runs of 1 s, all
-measures, on one core without a server, then through the job system with one worker and with all, in double and in
-single precision, several times over (``--rounds``), for cores may have to be shared; beside it what a plain compiled
-loop would take for the same voices on the same cores, without any measure. ``large``: 10,000 runs of 1 s through the
-job system, killed with -9 half-way and gone on with, the memory of every process, opened by xarray.
+``python -m vocalis.bench.sweeps [map|large]`` prints figures as JSON.
+
+- ``map``: 21 × 21 runs of 1 s over CT and TA with all measures: on one core without a server, then through the job
+  system with one worker and with all workers, in double and in single precision. The runs with all workers are repeated
+  ``--rounds`` times, because the cores may be shared. For comparison, the time of a plain compiled loop for the same
+  voices on the same cores, without measures.
+- ``large``: 10,000 runs of 1 s through the job system, killed with -9 half-way and resumed; memory of all processes;
+  the result opened with xarray.
 """
 
 import argparse
@@ -23,13 +26,14 @@ import httpx
 
 from vfcore.runs.one import prepare
 from vfcore.runs.sweep import run_sweep, sweep_from_dict
+from vocalis.bench.interactive import printed_address
 from vocalis.bench.reference import plain_run
 from vocalis.bench.rounds import interleaved
 from vocalis.server.warmup.compile import compile_everything
 
 MB = 2**20
 LOOK_EVERY_S = 0.25
-PRESSURE_PA, APART_PA = 1000.0, 0.25  # of the rounds of a map, whose points must differ but not in the work they make
+PRESSURE_PA, APART_PA = 1000.0, 0.25  # pressure of the rounds of a map: no point may repeat, the work must not change
 
 
 def grid(n_ct: int, n_ta: int) -> dict:
@@ -43,14 +47,16 @@ def grid(n_ct: int, n_ta: int) -> dict:
 
 @contextmanager
 def served(folder: str, workers: int) -> Iterator[tuple[httpx.Client, subprocess.Popen]]:
-    """A server process, ready, with nothing left to compile."""
+    """A server process that is ready, with all kernels compiled."""
     compile_everything()
     server = subprocess.Popen(
-        [sys.executable, "-m", "vocalis.server", "--port", "0"], stdout=subprocess.PIPE, text=True,
+        [sys.executable, "-m", "vocalis.server", "--port", "0"],
+        stdout=subprocess.PIPE,
+        text=True,
         env=os.environ | {"VOCALIS_JOBS_DIRECTORY": folder, "VOCALIS_WORKERS": str(workers)},
-    )  # fmt: skip
+    )
     try:
-        url = server.stdout.readline().split()[1]
+        url = printed_address(server)
         with httpx.Client(base_url=f"{url}/api/v1", timeout=60) as client:
             while not client.get("/health").json()["ready"]:
                 time.sleep(0.1)
@@ -61,32 +67,38 @@ def served(folder: str, workers: int) -> Iterator[tuple[httpx.Client, subprocess
 
 
 def through_jobs(body: dict, workers: int, rounds: int = 1) -> dict:
-    """Seconds of a sweep as a job, the median and the quickest of ``rounds``, workers started before; processor seconds
-    of the server process and its workers, the mean."""
+    """Time of a sweep as a job, with all workers already running.
+
+    Seconds: median and minimum of ``rounds``. CPU seconds of the server process and of its workers: means.
+    """
     with tempfile.TemporaryDirectory(prefix="vocalis-sweeps-") as folder, served(folder, workers) as (client, server):
         start_workers(client)
-        hands = children(server.pid)
-        spent, worked = processor_s(server.pid), sum(map(processor_s, hands))
+        worker_pids = children(server.pid)
+        server_before, workers_before = processor_s(server.pid), sum(map(processor_s, worker_pids))
         seconds = [to_table(client, body, k) for k in range(rounds)]
-        server_s = (processor_s(server.pid) - spent) / rounds
-        workers_s = (sum(map(processor_s, hands)) - worked) / rounds
+        server_s = (processor_s(server.pid) - server_before) / rounds
+        workers_s = (sum(map(processor_s, worker_pids)) - workers_before) / rounds
     return {
-        "seconds": round(median(seconds), 3), "quickest_s": round(min(seconds), 3),
-        "server_cpu_s": round(server_s, 3), "workers_cpu_s": round(workers_s, 3),
+        "seconds": round(median(seconds), 3),
+        "quickest_s": round(min(seconds), 3),
+        "server_cpu_s": round(server_s, 3),
+        "workers_cpu_s": round(workers_s, 3),
         "job_system_share": round(server_s / (server_s + workers_s), 4),
-    }  # fmt: skip
+    }
 
 
 def start_workers(client: httpx.Client) -> None:
-    """Have every worker of a server started, its kernels loaded."""
+    """Start every worker of a server and load its kernels, by a small sweep."""
     warm = client.post("/jobs", json=grid(8, 2) | {"base": {"vowel": "i"}}).json()
     while client.get(f"/jobs/{warm['id']}").json()["finished"] is None:
         time.sleep(0.1)
 
 
 def to_table(client: httpx.Client, body: dict, nth: int) -> float:
-    """Seconds from a sweep's request to its table, read as a whole after its events; the ``nth`` has a pressure of its
-    own, so that no point is known yet. RuntimeError where the table has a gap."""
+    """Seconds from the request of a sweep to its complete table, which is fetched after the event ``done``.
+
+    Each ``nth`` has its own pressure, so that no point is cached. RuntimeError if the table is incomplete.
+    """
     base = {"subglottal_pressure_pa": PRESSURE_PA + nth * APART_PA}
     began = time.perf_counter()
     job = client.post("/jobs", json=body | {"base": base}).json()
@@ -124,7 +136,7 @@ def resident_mb(pid: int) -> float:
 
 
 def measure_map(rounds: int) -> dict:
-    """The map of two muscles; with all workers ``rounds`` times over."""
+    """The map of two muscles; with all workers it is repeated ``rounds`` times."""
     body, cores = grid(21, 21), os.cpu_count() or 1
     sweep = sweep_from_dict(body)
     compile_everything()
@@ -155,16 +167,16 @@ def measure_large(points: int = 100) -> dict:
     body, most = grid(points, points), 0.0
     with tempfile.TemporaryDirectory(prefix="vocalis-sweeps-") as folder:
         seconds, halves = 0.0, []
-        for goal in (points * points // 2, points * points):
+        for wanted in (points * points // 2, points * points):
             with served(folder, os.cpu_count() or 1) as (client, server):
                 began = time.perf_counter()
                 job = client.post("/jobs", json=body).json()
                 halves.append(job["n_done"])
-                while (now := client.get(f"/jobs/{job['id']}").json())["n_done"] < goal:
+                while (now := client.get(f"/jobs/{job['id']}").json())["n_done"] < wanted:
                     most = max(most, resident_mb(server.pid))
                     time.sleep(LOOK_EVERY_S)
                 seconds += time.perf_counter() - began
-                if goal == points * points:
+                if wanted == points * points:
                     while client.get(f"/jobs/{job['id']}").json()["finished"] is None:
                         time.sleep(0.05)
                     path = Path(folder) / "sweep.nc"
@@ -174,10 +186,14 @@ def measure_large(points: int = 100) -> dict:
             sizes = dict(opened.sizes)
         disk = sum(file.stat().st_size for file in Path(folder).glob("jobs.sqlite*")) / MB
     return {
-        "points": now["n_total"], "failed": now["n_failed"], "seconds": round(seconds, 1),
-        "done_at_restart": halves[1], "memory_most_mb": round(most, 1), "database_mb": round(disk, 1),
+        "points": now["n_total"],
+        "failed": now["n_failed"],
+        "seconds": round(seconds, 1),
+        "done_at_restart": halves[1],
+        "memory_most_mb": round(most, 1),
+        "database_mb": round(disk, 1),
         "opened_by_xarray": {"sizes": sizes, "points_with_pitch": found},
-    }  # fmt: skip
+    }
 
 
 def main() -> None:

@@ -1,11 +1,11 @@
-"""Cost against work: how the seconds of the march grow with duration, grid, number of postures and cores."""
+"""Scaling: time of the march against duration, grid, number of folds and cores."""
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
-from vfcore.fold.march import March
-from vfcore.fold.march_many import Motion, march_many
+from vfcore.fold.march import TimeMarch
+from vfcore.fold.march_many import MarchInput, march_many
 from vfcore.fold.stability import time_step_s
 from vfcore.runs.one import prepare
 from vfcore.spec.simulation import Run, Simulation
@@ -16,12 +16,12 @@ SHORT_S = 0.1
 DURATIONS_S = (0.1, 0.5, 2.0)
 ACROSS = (10, 20, 40, 80)  # Nx at Ny = 10
 ALONG = (6, 10, 20, 40, 80)  # Ny at Nx = 20
-POSTURES = (1, 8, 16, 64)
+FOLDS = (1, 8, 16, 64)
 CORES = (1, 2, 4)
 
 
 class Cost(NamedTuple):
-    """One line: ``work`` of a kind, what it took, and the same per unit of work."""
+    """One row: the amount of ``work``, the time it took, and the time per ``unit`` of work."""
 
     table: str
     work: str
@@ -37,7 +37,7 @@ def march(nx: int = 20, ny: int = 10, duration_s: float = SHORT_S) -> tuple[Call
     step = time_step_s(request.run, fold)
 
     def run():
-        moving = March(fold, step, request.subglottal_pressure_pa)
+        moving = TimeMarch(fold, step, request.subglottal_pressure_pa)
         moving.start_flat()
         return moving.run(round(duration_s / (step * moving.record_every)))
 
@@ -47,9 +47,9 @@ def march(nx: int = 20, ny: int = 10, duration_s: float = SHORT_S) -> tuple[Call
 def _many(count: int, threads: int = 1) -> Callable[[], object]:
     fold = prepare(Simulation()).fold
     step = time_step_s(Simulation().run, fold)
-    motions = [Motion(fold, step, 1000.0, SHORT_S)] * count
+    inputs = [MarchInput(fold, step, 1000.0, SHORT_S)] * count
     part = -(-count // threads)
-    parts = [motions[begin : begin + part] for begin in range(0, count, part)]
+    parts = [inputs[begin : begin + part] for begin in range(0, count, part)]
 
     def run():
         with ThreadPoolExecutor(threads) as pool:
@@ -59,7 +59,7 @@ def _many(count: int, threads: int = 1) -> Callable[[], object]:
 
 
 def costs(cores: int) -> Iterator[Cost]:
-    """Every table, medians of ROUNDS interleaved rounds per table."""
+    """All tables, each the medians of ROUNDS interleaved rounds."""
     tasks = {seconds: march(duration_s=seconds)[0] for seconds in DURATIONS_S}
     for seconds, took in interleaved(tasks, ROUNDS).items():
         yield Cost("duration", f"{seconds:g} s of voice", took, 1e3 * took / seconds, "ms per s of voice")
@@ -71,8 +71,8 @@ def costs(cores: int) -> Iterator[Cost]:
         for grid, took in interleaved({grid: task for grid, (task, _) in made.items()}, ROUNDS).items():
             nodes = grid[0] * grid[1] * made[grid][1]
             yield Cost(table, f"{grid[0]}×{grid[1]}", took, 1e9 * took / nodes, "ns per node and step")
-    for count, took in interleaved({count: _many(count) for count in POSTURES}, ROUNDS).items():
-        yield Cost("postures", f"{count} of {SHORT_S:g} s", took, 1e3 * took / count, "ms per posture")
-    tasks = {n: _many(64, n) for n in CORES if n <= cores}
-    for n, took in interleaved(tasks, ROUNDS).items():
-        yield Cost("cores", f"64 postures on {n}", took, 1e3 * took / 64, "ms per posture")
+    for count, took in interleaved({count: _many(count) for count in FOLDS}, ROUNDS).items():
+        yield Cost("folds", f"{count} of {SHORT_S:g} s", took, 1e3 * took / count, "ms per fold")
+    tasks_by_cores = {n: _many(64, n) for n in CORES if n <= cores}
+    for n, took in interleaved(tasks_by_cores, ROUNDS).items():
+        yield Cost("cores", f"64 folds on {n}", took, 1e3 * took / 64, "ms per fold")

@@ -1,23 +1,23 @@
 /** Two voices to compare: A and B, each held, or B the live one. */
 import { batch, computed, readonly, signal } from "../../core/ui.js";
 import { result } from "../../state/answers.js";
-import { values } from "../../state/request.js";
+import { patch } from "../../state/request.js";
 
 const NONE = { a: null, b: null };
 const _held = signal(NONE);
 const _heard = signal(null); // null | a | b | turn
 
-/** {a, b}: {values, result} as they were when held, or null. */
+/** {a, b}: {patch, result} as they were when held, or null. */
 export const held = readonly(_held);
 /** The voice that sounds instead of the live one: a, b, both in turn, or null. */
 export const heard = readonly(_heard);
 /** The second of the pair: the held B, else the live voice. */
-export const second = computed(() => _held.value.b ?? (result.value && { values: values.value, result: result.value }));
+export const second = computed(() => _held.value.b ?? (result.value && { patch: patch.value, result: result.value }));
 
 /** Hold the present voice as "a" or "b"; false while there is none. */
 export function hold(side) {
   if (!result.peek()) return false;
-  _held.value = { ..._held.peek(), [side]: { values: values.peek(), result: result.peek() } };
+  _held.value = { ..._held.peek(), [side]: { patch: patch.peek(), result: result.peek() } };
   return true;
 }
 

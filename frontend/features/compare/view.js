@@ -6,7 +6,7 @@ import { Picture } from "../../core/picture.js";
 import { STATES } from "../../core/texts.js";
 import { palette, rootPx, smallFont } from "../../core/theme.js";
 import { phase, readout } from "../../state/motion.js";
-import { catalogue, restoreValues, schema } from "../../state/request.js";
+import { catalogue, restorePatch, schema, valuesOf } from "../../state/request.js";
 import { settled } from "../../state/settled.js";
 import { cycleOf, drawComparison } from "./cycles.js";
 import { compareMode, hear, heard, held, hold, release, second, setCompareMode } from "./state.js";
@@ -96,7 +96,7 @@ export function ComparePanel() {
         ${
           a &&
           html`
-            <button type="button" class="quiet" onClick=${() => restoreValues(a.values)}>${COMPARE.back}</button>
+            <button type="button" class="quiet" onClick=${() => restorePatch(a.patch)}>${COMPARE.back}</button>
             <button type="button" class="quiet" onClick=${() => release("a")}>${COMPARE.forget}</button>
           `
         }
@@ -115,7 +115,8 @@ export function ComparePanel() {
 }
 
 function Pair({ a, b, live }) {
-  const settings = differingSettings(schema.value, a.values, b.values);
+  const settings = differingSettings(schema.value, a.patch, b.patch);
+  const [valuesA, valuesB] = [valuesOf(a.patch), valuesOf(b.patch)];
   return html`
     <div class="compare-hear" role="group" aria-label=${COMPARE.hearHelp}>
       ${["a", "b", "turn"].map(
@@ -162,8 +163,8 @@ function Pair({ a, b, live }) {
           (row) => html`
             <tr key=${row.key} class="setting">
               <th scope="row">${row.name}</th>
-              <td>${valueOf(row, a.values)}</td>
-              <td>${valueOf(row, b.values)}</td>
+              <td>${valueOf(row, valuesA)}</td>
+              <td>${valueOf(row, valuesB)}</td>
               <td></td>
             </tr>
           `,

@@ -2,7 +2,7 @@
 import { html, useComputed, useRef } from "../../core/ui.js";
 import { typed } from "../../core/parameters.js";
 import { problems } from "../../state/answers.js";
-import { schema, setValue, values } from "../../state/request.js";
+import { patch, schema, setValue, values } from "../../state/request.js";
 import { CONTROL, OPTION_NAMES } from "./texts.js";
 
 /** Focus a control from anywhere by its parameter path (keys 1–5, tests, links in hints). */
@@ -79,8 +79,10 @@ export function NumberField({ path, placeholder }) {
   `;
 }
 
+/** The choice in force; one that the user made where the variant has its own can be taken back. */
 export function Choice({ path }) {
   const row = schema.value.parameters.get(path);
+  const named = useComputed(() => row.nullable && path in patch.value).value;
   const value = useComputed(() => values.value[path]).value;
   const problem = useComputed(() => problems.value[path]).value;
   const id = controlId(path);
@@ -94,7 +96,7 @@ export function Choice({ path }) {
         onChange=${(event) => setValue(path, event.target.value || null)}
       >
         ${
-          row.nullable &&
+          named &&
           html`
             <option value="">${CONTROL.ownChoice}</option>
           `

@@ -1,10 +1,15 @@
-/** Settings as text. Pure. */
+/** Settings as text. */
 import { numberText } from "../../core/axis.js";
+import { isOfModel } from "../../core/parameters.js";
+import { valuesOf } from "../../state/request.js";
 import { OPTION_NAMES, VARIANT_NAMES } from "./texts.js";
 
-/** Rows of the schema whose values differ. */
-export const differingSettings = (schema, a, b) =>
-  [...schema.parameters.values()].filter(({ key }) => a[key] !== b[key]);
+/** Rows of the schema whose values differ under two patches. Constants that a model brings are named by the model. */
+export function differingSettings(schema, a, b) {
+  const [before, after] = [valuesOf(a), valuesOf(b)];
+  const named = (key) => key in a || key in b || isOfModel(key);
+  return [...schema.parameters.values()].filter(({ key }) => before[key] !== after[key] && named(key));
+}
 
 /** Short name of a setting: the muscle's abbreviation, else its name. */
 export const shortName = (row) => (row.group === "muscles" ? row.short : row.name);
@@ -18,10 +23,9 @@ export function valueOf(row, values) {
   return `${numberText(value, decimals)}${!row.unit || row.unit === "1" ? "" : ` ${row.unit}`}`;
 }
 
-/** The change of one step of the history: "CT 0.60", "3 settings", a preset's name. */
-export function changeSummary(schema, before, after, presetLabel, words) {
+/** The change of one step of the history: "CT 0.60", "3 settings", a preset's name. `rows`: those that changed. */
+export function changeSummary(rows, after, presetLabel, words) {
   if (presetLabel) return presetLabel;
-  const rows = before ? differingSettings(schema, before, after) : [];
   if (!rows.length) return words.first;
   return rows.length === 1 ? `${shortName(rows[0])} ${valueOf(rows[0], after)}` : words.several(rows.length);
 }

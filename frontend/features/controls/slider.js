@@ -3,7 +3,7 @@ import { html, useComputed, useEffect, useRef } from "../../core/ui.js";
 import { numberText } from "../../core/axis.js";
 import { MathsSymbol } from "../../core/maths-symbol.js";
 import { problems } from "../../state/answers.js";
-import { resetValue, schema, setValue, values } from "../../state/request.js";
+import { defaults, resetValue, schema, setValue, values } from "../../state/request.js";
 import { controlId, Refusal, TypedValue } from "./fields.js";
 import { CONTROL } from "./texts.js";
 import { prefetchAround } from "../live/posture-prefetch.js";
@@ -17,7 +17,8 @@ export function Slider({ path, colour, role = "", also }) {
   const problem = useComputed(() => problems.value[path]).value;
   const id = controlId(path);
   const share = (v) => (Math.max(row.min, Math.min(row.max, v)) - row.min) / (row.max - row.min);
-  const shown = Number.isFinite(value) ? value : row.default;
+  const own = useComputed(() => defaults.value[path]).value;
+  const shown = Number.isFinite(value) ? value : own;
   const round = (v) => Number(v.toFixed(row.decimals));
   const track = useRef(null);
   useEffect(() => track.current.style.setProperty("--fill", `${100 * share(shown)}%`));
@@ -59,11 +60,11 @@ export function Slider({ path, colour, role = "", also }) {
         class="track"
         ref=${track}
         onDblClick=${() => resetValue(path)}
-        title=${CONTROL.reset(numberText(row.default, row.decimals))}
+        title=${CONTROL.reset(numberText(own, row.decimals))}
       >
         <span
           class="default-tick"
-          style=${{ left: `calc(var(--thumb) / 2 + (100% - var(--thumb)) * ${share(row.default)})` }}
+          style=${{ left: `calc(var(--thumb) / 2 + (100% - var(--thumb)) * ${share(own)})` }}
         ></span>
         <input
           id=${id}

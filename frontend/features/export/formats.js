@@ -22,13 +22,12 @@ export function wavesCsv(result) {
   return [head, ...rows, ""].join("\n");
 }
 
-/** A Python script that computes the voice of `request`, a request document. Pure. */
+/** A Python script that computes the voice of `request`, a nested patch. Pure. */
 export function pythonCode(request) {
   return `import vfcore
-from vfcore.spec.request import resolve
 
 request = ${pythonLiteral(request)}
-result = vfcore.simulate(resolve(request))
+result = vfcore.simulate(vfcore.resolve(request))
 print(result.report.state)
 for key, measure in result.report.measures.items():
     print(key, measure.value, measure.unit)
@@ -45,6 +44,7 @@ export function curlCode(request, address) {
 
 function pythonLiteral(value, indent = "") {
   if (value === null) return "None";
+  if (typeof value === "boolean") return value ? "True" : "False";
   if (typeof value === "string") return JSON.stringify(value);
   if (typeof value !== "object") return String(value);
   const inner = `${indent}    `;

@@ -7,7 +7,7 @@ import { download, exportFigure, figures } from "../../core/export.js";
 import { simulationRequest } from "../../core/parameters.js";
 import { palette } from "../../core/theme.js";
 import { result } from "../../state/answers.js";
-import { schema, values } from "../../state/request.js";
+import { patch } from "../../state/request.js";
 import { curlCode, pythonCode, wavesCsv } from "./formats.js";
 import { CODE, EXPORT } from "./texts.js";
 import { LIVE_S } from "../live/follow-request.js";
@@ -67,7 +67,7 @@ export function ExportDialog() {
 }
 
 export function CodeDialog() {
-  const request = simulationRequest(schema.value, values.value, { duration_s: LIVE_S });
+  const request = simulationRequest(patch.value, { duration_s: LIVE_S });
   return html`
     <${Dialog} title=${CODE.title} wide=${false}>
       <${Listing} name="python" title=${CODE.python} help=${CODE.pythonHelp} text=${pythonCode(request)} />

@@ -5,11 +5,11 @@ import { presetOf } from "../../core/parameters.js";
 import { STATES } from "../../core/texts.js";
 import { Icon } from "../../core/widgets.js";
 import { narrow, setPanel } from "../../state/look.js";
-import { schema } from "../../state/request.js";
+import { defaultsOf, schema, valuesOf } from "../../state/request.js";
 import { announce, showNotice } from "../../state/session.js";
 import { held, hold, release } from "../compare/state.js";
 import { COMPARE } from "../compare/texts.js";
-import { changeSummary } from "../controls/settings-text.js";
+import { changeSummary, differingSettings } from "../controls/settings-text.js";
 import { at, canRedo, canUndo, entries, goTo, redo, undo } from "./history.js";
 import { HISTORY } from "./texts.js";
 
@@ -80,7 +80,7 @@ export function HistoryList() {
         ${known
           .map(
             (entry, k) => html`
-              <${Entry} key=${k} place=${k} entry=${entry} before=${known[k - 1]?.values} />
+              <${Entry} key=${k} place=${k} entry=${entry} before=${known[k - 1]?.patch} />
             `,
           )
           .reverse()}
@@ -90,7 +90,10 @@ export function HistoryList() {
 }
 
 function Entry({ place, entry, before }) {
-  const label = changeSummary(schema.value, before, entry.values, presetOf(schema.value, entry.values)?.label, HISTORY);
+  const values = valuesOf(entry.patch);
+  const chosen = presetOf(schema.value, values, defaultsOf(entry.patch));
+  const changed = before ? differingSettings(schema.value, before, entry.patch) : [];
+  const label = changeSummary(changed, values, chosen?.label, HISTORY);
   return html`
     <li>
       <button

@@ -2,10 +2,9 @@
  * The lessons: which there are, how they are loaded, and the present step. A step sets the voice and what to look at.
  */
 import { batch, computed, readonly, signal } from "../../core/ui.js";
-import { defaultValues } from "../../core/parameters.js";
 import { showPanel } from "../../state/look.js";
 import { setMoving, setSlowdown } from "../../state/motion.js";
-import { restoreValues, schema } from "../../state/request.js";
+import { restorePatch } from "../../state/request.js";
 
 const _index = signal(null);
 const _lesson = signal(null);
@@ -41,7 +40,7 @@ export function goToStep(place) {
   const { set, look } = _lesson.peek().steps[place];
   batch(() => {
     _step.value = place;
-    restoreValues({ ...defaultValues(schema.peek()), ...set });
+    restorePatch({}, set);
     showPanel(look.panel);
     if (look.slowdown) {
       setSlowdown(look.slowdown);

@@ -10,15 +10,18 @@ import { LatestOnly } from "../../core/latest-only.js";
 import { postureRequest, simulationRequest } from "../../core/parameters.js";
 import { takePosture, takeProblem, takeResult } from "../../state/answers.js";
 import { status } from "../../state/played-voice.js";
-import { movement, schema, values, version } from "../../state/request.js";
+import { movement, patch, schema, version } from "../../state/request.js";
 import { connection, setConnection } from "../../state/session.js";
 import { cachedPosture, fetchMissing } from "./posture-prefetch.js";
 
 export const LIVE_S = 0.5;
-const RETRY_MS = 1500;
+export const RETRY_MS = 1500;
 // Pauses between postures and between runs during live play: the played voice comes first, and it shows its own shape.
 const PLAYED_POSTURE_REST_MS = 80;
 const PLAYED_RUN_REST_MS = 600;
+
+/** Whether a call failed for now and is worth repeating: the server is away or has no room. */
+export const isBusy = ({ status }) => status === 0 || status === 503 || status === 429;
 
 /** Starts following the request; returns a function that stops it. */
 export function followRequest() {
@@ -26,7 +29,7 @@ export function followRequest() {
   const failed = (call) => (error, job) => {
     if (!(error instanceof Problem)) throw error;
     if (error.status === 401) return setConnection("login");
-    if (error.status === 0 || error.status === 503 || error.status === 429) {
+    if (isBusy(error)) {
       setConnection("offline");
       clearTimeout(retry);
       retry = setTimeout(() => push(job), RETRY_MS);
@@ -69,8 +72,8 @@ export function followRequest() {
     const job = {
       version: version.value,
       gesture: movement.value,
-      body: simulationRequest(schema.value, values.value, { duration_s: LIVE_S }),
-      postureBody: postureRequest(schema.value, values.value),
+      body: simulationRequest(patch.value, { duration_s: LIVE_S }),
+      postureBody: postureRequest(patch.value),
     };
     recordInput(job.version);
     untracked(() => push(job));

@@ -3,8 +3,8 @@
  * shape here and shows it in the same frame.
  */
 import { callWorker } from "../../core/api-worker-client.js";
-import { postureRequest } from "../../core/parameters.js";
-import { movedTogether, schema, values } from "../../state/request.js";
+import { patchText, postureRequest } from "../../core/parameters.js";
+import { awaitsDefaults, movedTogether, patch, schema, values } from "../../state/request.js";
 
 const ROWS = 12; // each for one control, with fixed values of all others
 const AT_ONCE = 12; // per call, which then takes about one frame
@@ -15,7 +15,8 @@ let path = null; // of the control in use
 let asking = false;
 
 /** The answer to the present request, if it is in the cache. */
-export const cachedPosture = () => (path === null ? undefined : row().get(values.peek()[path]));
+export const cachedPosture = () =>
+  path === null || (awaitsDefaults.peek() && !(path in patch.peek())) ? undefined : row().get(values.peek()[path]);
 
 /** The user has reached the control of this path. */
 export function prefetchAround(newPath) {
@@ -45,14 +46,14 @@ export async function fetchMissing() {
 
 /** The present request without the values of the control in use. */
 const requestWithoutControl = () => {
-  const others = { ...values.peek() };
-  for (const moved of movedTogether(path)) others[moved] = schema.peek().parameters.get(moved).default;
-  return postureRequest(schema.peek(), others);
+  const others = { ...patch.peek() };
+  for (const moved of movedTogether(path)) delete others[moved];
+  return postureRequest(others);
 };
 
 /** Answers by value of the control in use, for the present values of all others. */
 function row() {
-  const name = JSON.stringify([movedTogether(path), requestWithoutControl()]);
+  const name = JSON.stringify([movedTogether(path), patchText(patch.peek(), movedTogether(path))]);
   if (!rows.has(name)) {
     rows.set(name, new Map());
     if (rows.size > ROWS) rows.delete(rows.keys().next().value);

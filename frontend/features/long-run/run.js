@@ -4,7 +4,7 @@ import { call, getArray, getJson, isActive, link, postJson } from "../../core/ap
 import { simulationRequest } from "../../core/parameters.js";
 import { LIVE_ARRAYS, makeResult } from "../../core/result.js";
 import { takeResult } from "../../state/answers.js";
-import { schema, values } from "../../state/request.js";
+import { patch } from "../../state/request.js";
 import { showNotice } from "../../state/session.js";
 import { RUN } from "./texts.js";
 
@@ -39,7 +39,7 @@ let events = null;
 
 export async function startRun() {
   stopFollowing();
-  const body = simulationRequest(schema.peek(), values.peek(), { duration_s: duration.peek() });
+  const body = simulationRequest(patch.peek(), { duration_s: duration.peek() });
   await guarded(async () => {
     takeJob(await postJson("jobs", body));
     if (isActive(job.peek())) follow(job.peek());

@@ -1,8 +1,8 @@
 /** Computes the map over two parameters, stops it, and lets it follow the other settings. */
 import { effect, untracked } from "../../core/ui.js";
 import { Problem } from "../../core/api.js";
-import { simulationRequest } from "../../core/parameters.js";
-import { restoreValues, schema, values } from "../../state/request.js";
+import { patchText, simulationRequest } from "../../core/parameters.js";
+import { patch, restorePatch, schema } from "../../state/request.js";
 import { LIVE_S } from "../live/follow-request.js";
 import { axes, following, map, MEASURES, MOST_STEPS, takeMap, takeMapProblem, takeRunning } from "./state.js";
 import { axisOf, runSweep } from "./sweep.js";
@@ -30,17 +30,17 @@ export function cancelMap() {
 async function make(before, mine) {
   const { signal } = mine.control;
   const wanted = axes.peek();
-  const settings = values.peek();
+  const base = patch.peek();
   const refusal = refusalOf(wanted);
-  madeWith = others(wanted, settings);
+  madeWith = others(wanted, base);
   takeMapProblem(refusal);
   try {
     await before;
     if (refusal || signal.aborted) return;
     takeRunning({ done: 0, total: wanted[0].steps * wanted[1].steps });
     const asked = wanted.map((axis) => axisOf(axis, schema.peek().parameters.get(axis.paths[0])));
-    const base = simulationRequest(schema.peek(), settings, { duration_s: LIVE_S });
-    await runSweep({ base, axes: asked, measures: MEASURES }, (news) => takeMap(news, settings), signal);
+    const request = simulationRequest(base, { duration_s: LIVE_S });
+    await runSweep({ base: request, axes: asked, measures: MEASURES }, (news) => takeMap(news, base), signal);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
     takeMapProblem(error.fields.length ? error.fields.map(MAP.refused).join(" ") : error.message);
@@ -65,23 +65,24 @@ function refusalOf([up, right]) {
   return uncounted ? MAP.steps(MOST_STEPS) : "";
 }
 
-/** The settings that all cells of a map over `wanted` share. */
-function others(wanted, settings) {
-  const moved = wanted.flatMap(({ paths }) => paths);
-  return JSON.stringify(Object.entries(settings).filter(([path]) => !moved.includes(path)));
-}
+/** What all cells of a map over `wanted` share. */
+const others = (wanted, base) =>
+  patchText(
+    base,
+    wanted.flatMap(({ paths }) => paths),
+  );
 
-/** Set the voice of a cell: the settings of the map with the cell's values on its axes. */
-export function loadCell({ table, values: settings }, point) {
+/** Set the voice of a cell: the patch of the map with the cell's values on its axes. */
+export function loadCell({ table, base }, point) {
   const moved = table.axes.flatMap(({ paths }, k) => paths.map((path) => [path, point[k]]));
-  restoreValues({ ...settings, ...Object.fromEntries(moved) });
+  restorePatch(base, Object.fromEntries(moved));
 }
 
 /** Computes the map again once settings other than its axes have changed; returns a function that stops it. */
 export function followSettings() {
   let waiting = 0;
   const stop = effect(() => {
-    const now = following.value && map.value && others(axes.value, values.value);
+    const now = following.value && map.value && others(axes.value, patch.value);
     clearTimeout(waiting);
     if (now && now !== madeWith) waiting = setTimeout(() => untracked(startMap), REST_MS);
   });

@@ -32,7 +32,7 @@ const _problem = signal("");
 export const axes = readonly(_axes);
 /** Key of the chosen measure. */
 export const measure = readonly(_measure);
-/** {job, table, values}: the newest map and its settings; null before the first. */
+/** {job, table, base}: the newest map and the patch it was made with; null before the first. */
 export const map = readonly(_map);
 /** The map held as A, or null. */
 export const heldMap = readonly(_heldMap);
@@ -69,10 +69,10 @@ export function takeRunning(progress) {
 }
 
 /** The previous map stays until the new one has a point. */
-export function takeMap(news, values) {
+export function takeMap(news, base) {
   batch(() => {
     _running.value = { done: news.table.done, total: news.table.total };
-    if (news.table.done) _map.value = { ...news, values };
+    if (news.table.done) _map.value = { ...news, base };
     if (news.job.status === "failed") _problem.value = news.job.problem.detail;
   });
 }

@@ -6,7 +6,7 @@ import { capital } from "../../core/parameters.js";
 import { STATES } from "../../core/texts.js";
 import { palette } from "../../core/theme.js";
 import { narrow } from "../../state/look.js";
-import { catalogue, schema } from "../../state/request.js";
+import { catalogue, schema, values } from "../../state/request.js";
 import { ActivationMap, CellLegend } from "./activation-map.js";
 import { axisLabel, pictureOf, shownCells } from "./picture.js";
 import { cancelMap, followSettings, loadCell, startMap } from "./run.js";
@@ -108,7 +108,7 @@ function Axis({ place, direction }) {
   const axis = useComputed(() => axes.value[place]).value;
   const choose = (event) => {
     const paths = event.target.value.split(JOIN);
-    setAxis(place, { paths, ...usualRange(schema.peek().parameters.get(paths[0])) });
+    setAxis(place, { paths, ...usualRange(schema.peek().parameters.get(paths[0]), values.peek()[paths[0]]) });
   };
   const field = (key, words, mode) => html`
     <label class="pick">
@@ -163,8 +163,8 @@ function Parameters() {
   );
 }
 
-/** A muscle: its whole range. Another number: 0.5 to 1.5 times its default, within the allowed range. */
-function usualRange({ group, default: usual, min, max }) {
+/** A muscle: its whole range. Another number: 0.5 to 1.5 times its value in force, within the allowed range. */
+function usualRange({ group, min, max }, usual) {
   if (group === "muscles" || !usual) return { from: min, to: max };
   const [from, to] = [0.5 * usual, 1.5 * usual].sort((a, b) => a - b).map((value) => Number(value.toPrecision(6)));
   return { from: Math.max(from, min), to: Math.min(to, max) };

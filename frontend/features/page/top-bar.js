@@ -6,7 +6,7 @@ import { APP } from "../../core/texts.js";
 import { theme, toggleTheme } from "../../core/theme.js";
 import { Icon } from "../../core/widgets.js";
 import { mapShown, narrow, section, setSection } from "../../state/look.js";
-import { choosePreset, chooseVariant, preset, schema, values } from "../../state/request.js";
+import { choosePreset, chooseVariant, patch, preset, schema, values } from "../../state/request.js";
 import { showNotice } from "../../state/session.js";
 import { VARIANT_NAMES } from "../controls/texts.js";
 import { EXPORT } from "../export/texts.js";
@@ -132,7 +132,7 @@ export function Variants() {
 
 async function share() {
   showNotice(
-    (await copyText(linkOf(schema.peek(), values.peek(), section.peek(), mapShown.peek())))
+    (await copyText(linkOf(schema.peek(), patch.peek(), section.peek(), mapShown.peek())))
       ? TOP.shared
       : TOP.sharedFailed,
   );

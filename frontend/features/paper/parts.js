@@ -1,8 +1,11 @@
 /** Parts of every figure of the paper: its claims, its tools, and a choice of one of its points. */
-import { html, useState } from "../../core/ui.js";
+import { batch, html, useState } from "../../core/ui.js";
+import { postJson, Problem } from "../../core/api.js";
 import { WithSymbols } from "../../core/maths-symbol.js";
+import { known } from "../../core/parameters.js";
 import { setSection } from "../../state/look.js";
-import { takeRequest } from "../../state/request.js";
+import { restorePatch, schema } from "../../state/request.js";
+import { showNotice } from "../../state/session.js";
 import { cancelFigure, remake, requestAt } from "./figures.js";
 import { backToShipped, fresh, paper, paperRun } from "./state.js";
 import { PAPER } from "./texts.js";
@@ -59,9 +62,17 @@ export function Claims({ keys, compact = false }) {
 }
 
 /** Open the voice of a point of `figure` in the instrument. */
-export function openCase(figure, point) {
-  takeRequest(requestAt(figure, point));
-  setSection(null);
+export async function openCase(figure, point) {
+  try {
+    const { patch } = await postJson("resolve", requestAt(figure, point));
+    batch(() => {
+      restorePatch(known(schema.peek(), patch));
+      setSection(null);
+    });
+  } catch (error) {
+    if (!(error instanceof Problem)) throw error;
+    showNotice(error.message);
+  }
 }
 
 export function FigureTools({ figure }) {

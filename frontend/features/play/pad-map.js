@@ -1,8 +1,8 @@
 /** The map of pitch behind the pad. It is computed again when a setting other than CT and TA has changed. */
 import { effect, readonly, signal, untracked } from "../../core/ui.js";
 import { Problem } from "../../core/api.js";
-import { simulationRequest } from "../../core/parameters.js";
-import { schema, values } from "../../state/request.js";
+import { patchText, simulationRequest } from "../../core/parameters.js";
+import { patch, schema } from "../../state/request.js";
 import { LIVE_S } from "../live/follow-request.js";
 import { runSweep } from "../map/sweep.js";
 
@@ -28,7 +28,7 @@ export function followPad() {
   let ended = Promise.resolve();
   const stop = effect(() => {
     if (!schema.value) return;
-    const asked = otherSettings(values.value);
+    const asked = otherSettings(patch.value);
     clearTimeout(waiting);
     if (asked === madeWith) return;
     waiting = setTimeout(() => {
@@ -49,7 +49,7 @@ export function followPad() {
 
 async function make(mine) {
   if (mine.aborted) return;
-  const base = untracked(() => simulationRequest(schema.value, values.value, { duration_s: LIVE_S }));
+  const base = untracked(() => simulationRequest(patch.value, { duration_s: LIVE_S }));
   const take = ({ table }) => table.done && (_map.value = { ct: LEVELS, ta: LEVELS, fo: pitches(table) });
   making = true;
   try {
@@ -64,5 +64,8 @@ async function make(mine) {
 
 const pitches = ({ states, measures }) => measures.fo_hz.map((value, k) => (states[k] === "periodic" ? value : null));
 
-const otherSettings = (all) =>
-  JSON.stringify(Object.entries(all).filter(([path]) => !AXES.some(({ paths }) => paths.includes(path))));
+const otherSettings = (of) =>
+  patchText(
+    of,
+    AXES.flatMap(({ paths }) => paths),
+  );

@@ -5,9 +5,9 @@
 import { effect, untracked } from "../../core/ui.js";
 import { link } from "../../core/api.js";
 import { recordShown, waitFrom } from "../../core/latency.js";
-import { changedValues, nest } from "../../core/parameters.js";
+import { nest } from "../../core/parameters.js";
 import { setStatus, status, takeBuffer, takeGesture, takePlayProblem, takeState } from "../../state/played-voice.js";
-import { schema, values, version } from "../../state/request.js";
+import { awaitsDefaults, patch, schema, values, version } from "../../state/request.js";
 import { PLAY } from "./texts.js";
 import { gainOf, setPlaying, volume } from "../sound/sound.js";
 
@@ -16,7 +16,7 @@ const FADE_IN_S = 0.15;
 const FADE_OUT_S = 0.06;
 const KNEE = 0.5; // of full scale: louder samples approach 1 and never exceed it, without look-ahead
 const LOUDEST = 4; // the server's full scale has room for 170 dB; modal voice peaks at a tenth of it
-const NOT_LIVE = /^(run\.|model\.)/;
+const FIXED = /^(run|model)\./; // while a voice is played
 
 let session = null;
 
@@ -40,6 +40,13 @@ export function stopPlaying(why = "") {
   session = null;
   setStatus("off");
   takePlayProblem(why);
+}
+
+/** Replace `old` by a voice of the present request, unless it has ended meanwhile. */
+function restart(old) {
+  if (session !== old) return;
+  stopPlaying();
+  startPlaying();
 }
 
 export function setRecording(on) {
@@ -68,9 +75,9 @@ class Session {
     await context.resume();
     const channel = new MessageChannel();
     node.port.postMessage({ line: channel.port1 }, [channel.port1]);
-    this.#sent = values.peek();
+    this.#sent = patch.peek();
     waitFrom("slider to sound", version.peek());
-    this.#connection = new Connection(bodyOf(schema.peek(), this.#sent), channel.port2, {
+    this.#connection = new Connection(nest(this.#sent), channel.port2, {
       said: (document) => this.#receive(document),
       report: (buffer) => session === this && takeBuffer(buffer),
       sounded: ({ stamp, at }) => recordShown("slider to sound", stamp, outputTime(context, at)),
@@ -82,7 +89,7 @@ class Session {
         gain.gain.setTargetAtTime(LOUDEST * gainOf(volume.value), context.currentTime, FADE_IN_S / 3);
       }),
     );
-    this.#ends.push(effect(() => this.#follow(values.value)));
+    this.#ends.push(effect(() => this.#follow(patch.value)));
   }
 
   send(message) {
@@ -96,12 +103,15 @@ class Session {
     setTimeout(() => ends.forEach((end) => end()), gain ? FADE_OUT_S * 1000 : 0);
   }
 
-  /** Sends only the values that changed. */
+  /** Sends only what changed; for an entry that is gone, the default in force. */
   #follow(next) {
-    if (next === this.#sent) return;
-    const changed = Object.entries(next).filter(([path, value]) => value !== this.#sent[path] && !NOT_LIVE.test(path));
+    if (awaitsDefaults.value || next === this.#sent) return;
+    const [before, now] = [this.#sent, values.peek()];
+    const paths = Object.keys({ ...before, ...next }).filter((path) => next[path] !== before[path]);
     this.#sent = next;
-    if (changed.length) this.send({ ...nest(Object.fromEntries(changed)), stamp: version.peek() });
+    if (paths.some((path) => isAnotherVoice(path, before, next))) return queueMicrotask(() => restart(this));
+    if (paths.length)
+      this.send({ ...nest(Object.fromEntries(paths.map((path) => [path, now[path]]))), stamp: version.peek() });
   }
 
   #receive(document) {
@@ -129,9 +139,10 @@ function bend() {
   return Float32Array.from({ length: 2049 }, (_, k) => Math.sign(k - 1024) * curve(Math.abs(k - 1024) / 1024));
 }
 
-function bodyOf(schemaNow, valuesNow) {
-  const { kind, ...body } = nest(changedValues(schemaNow, valuesNow));
-  return body;
+/** Whether a change needs another voice: other equations, or an optional part that may have come or gone. */
+function isAnotherVoice(path, before, after) {
+  const optional = schema.peek().parameters.get(path).optional_part !== null;
+  return FIXED.test(path) || (optional && !(path in before && path in after));
 }
 
 /** Whether the voice is on or starting. */

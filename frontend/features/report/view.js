@@ -6,11 +6,12 @@ import { html, readonly, signal, useEffect, useRef } from "../../core/ui.js";
 import { steadyLimits } from "../../core/axis.js";
 import { Dialog } from "../../core/dialog.js";
 import { MathsSymbol } from "../../core/maths-symbol.js";
+import { isOfModel } from "../../core/parameters.js";
 import { isVoiced } from "../../core/result.js";
 import { APP, STATES } from "../../core/texts.js";
 import { paperPalette, smallFont } from "../../core/theme.js";
 import { posture, result } from "../../state/answers.js";
-import { catalogue, preset, schema, values } from "../../state/request.js";
+import { catalogue, patch, preset, schema, values } from "../../state/request.js";
 import { held } from "../compare/state.js";
 import { COMPARE } from "../compare/texts.js";
 import { changeText } from "../compare/view.js";
@@ -122,12 +123,14 @@ export function ReportDialog() {
   `;
 }
 
+/** Muscles, breath and vowel; what was set besides; and all equations once one was chosen. */
 function Settings() {
+  const modelChosen = Object.keys(patch.value).some(isOfModel);
   const rows = [...schema.value.parameters.values()].filter(
     (row) =>
       row.group === "muscles" ||
       ["subglottal_pressure_pa", "vowel"].includes(row.key) ||
-      values.value[row.key] !== row.default,
+      (isOfModel(row.key) ? modelChosen : row.key in patch.value),
   );
   return html`
     <dl class="report-settings">

@@ -1,19 +1,20 @@
 /** The vocal tract of the present vowel, fetched from the server when a picture first needs it. */
 import { computed, effect, signal } from "../../core/ui.js";
 import { getJson, Problem } from "../../core/api.js";
-import { values } from "../../state/request.js";
+import { patch, values } from "../../state/request.js";
 
-const AIR = ["rho_a_kg_m3", "c_a_m_s"];
+const AIRWAYS = ["airway_scale", "rho_a_kg_m3", "c_a_m_s"];
 const _known = signal(new Map());
 
 /** Address of the tract of the present settings; null before there are any. */
 export const tractPath = computed(() => {
-  const { vowel } = values.value;
+  const { vowel, "model.variant": variant } = values.value;
   if (typeof vowel !== "string") return null;
-  const air = AIR.map((name) => [name, values.value[`constants.${name}`]]).filter(([, value]) =>
+  const own = AIRWAYS.map((name) => [name, patch.value[`constants.${name}`]]).filter(([, value]) =>
     Number.isFinite(value),
   );
-  return `tract/${encodeURIComponent(vowel)}?${new URLSearchParams(air)}`;
+  const query = new URLSearchParams([["variant", variant], ...own]);
+  return `tract/${encodeURIComponent(vowel)}?${query}`;
 });
 
 /** {vowel, ipa, source, section_length_m, areas_m2, formants, frequency_hz, lip_pressure_per_flow_pa_s_m3}, or null. */

@@ -7,7 +7,7 @@ import pytest
 
 import vfcore
 from tests.support.fold_harness import advance
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.runs.one import prepare
 from vfcore.spec.simulation import PAPER_STEP_S, Activation, Run, Simulation
 
@@ -42,13 +42,13 @@ def modal():
 @pytest.fixture(scope="session")
 def modal_cycle():
     fold = prepare(Simulation()).fold
-    march = March(fold, PAPER_STEP_S, 1000.0)
+    march = TimeMarch(fold, PAPER_STEP_S, 1000.0)
     march.start_flat()
     area = march.run(round(0.5 / PAPER_STEP_S / march.record_every))[:, 0]
     closed = area == 0
     opens = np.flatnonzero(closed[:-1] & ~closed[1:])
     fields = march.cycle(opens[-3], opens[-2], (opens[-2] - opens[-3]) * march.record_every)
-    again = March(fold, PAPER_STEP_S, 1000.0)
+    again = TimeMarch(fold, PAPER_STEP_S, 1000.0)
     again.start_flat()
     lines = advance(again, opens[-2] * march.record_every)[opens[-3] * march.record_every :]
     area = lines[:, 0]

@@ -1,8 +1,8 @@
-"""Muscle activation -> fold strain and glottal half-angle: the statics of the larynx.
+"""Statics of the larynx: fold strain and glottal half-angle from muscle activation.
 
-The steady state of Titze & Hunter (2007) as used by Alzamendi et al. (2022); equations, signs and the
-collision law stand in vfcore/kernels/posture_equations.py, the path from rest in vfcore/kernels/posture.py.
-The answer depends on activation and constants alone: every solve starts from the unloaded joints.
+The steady state of Titze & Hunter (2007) as used by Alzamendi et al. (2022). Equations, signs and collision law are in
+vfcore/kernels/posture_equations.py, the path from rest in vfcore/kernels/posture.py. The result depends only on
+activation and constants: every solve starts from the unloaded joints.
 """
 
 import math
@@ -51,7 +51,7 @@ def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBa
 
 
 def _solved(activations: np.ndarray, constants: PosturingConstants) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """What vfcore.kernels.posture answers: roots (n, 5), outcomes (n, 4), status (n,)."""
+    """Output of vfcore.kernels.posture: roots (n, 5), outcomes (n, 4), status (n,)."""
     n = len(activations)
     unknowns, outcomes, status = np.empty((n, 5)), np.empty((n, 4)), np.empty(n, dtype=np.int64)
     solve_postures(activations, *_packed(constants), unknowns, outcomes, status)
@@ -60,13 +60,13 @@ def _solved(activations: np.ndarray, constants: PosturingConstants) -> tuple[np.
 
 @lru_cache(maxsize=64)
 def _packed(constants: PosturingConstants) -> tuple[np.ndarray, Joints, np.ndarray]:
-    """What the kernel takes of a set."""
+    """Arrays of a set of constants in the form that the kernel takes."""
     muscles, joints = pack(constants)
     return muscles, joints, load_scale(muscles, joints)
 
 
 def _packed_last(constants: PosturingConstants) -> tuple[np.ndarray, Joints, np.ndarray]:
-    """The same without a look at every number, while one set is asked for again and again, as by a voice that moves."""
+    """``_packed`` without hashing every constant when the same set object comes repeatedly, as in a played voice."""
     global _last
     if _last[0] is not constants:
         _last = (constants, _packed(constants))
@@ -96,7 +96,7 @@ def solve_posture(
 def solve_each_posture(
     activations: Sequence[Activation], constants: PosturingConstants, fold_length_m: float = 0.015
 ) -> list[PostureSolution | PostureError]:
-    """``solve_posture`` of many at once: for each its posture, or the error that says why there is none."""
+    """``solve_posture`` for many activations in one call: for each its posture, or the error that explains why not."""
     check_number("fold_length_m", fold_length_m, 1e-3, 0.1, "m")
     rows = np.array([[getattr(activation, key) for key in MUSCLE_ORDER] for activation in activations], np.float64)
     solved = (array.tolist() for array in _solved(rows.reshape(-1, 5), constants))
@@ -107,22 +107,37 @@ def solve_each_posture(
 
 
 def _solution(
-    activation: Activation, constants: PosturingConstants, fold_length_m: float, unknowns: list[float],
-    outcome: list[float], status: int,
-) -> PostureSolution | PostureError:  # fmt: skip
-    """Number by number: for one posture, and a voice that moves asks for a hundred a second, arrays take longer."""
+    activation: Activation,
+    constants: PosturingConstants,
+    fold_length_m: float,
+    unknowns: list[float],
+    outcome: list[float],
+    status: int,
+) -> PostureSolution | PostureError:
+    """Scalars rather than arrays: faster for one posture, and a played voice needs a hundred per second."""
     strain, xi_02, residual, reached = outcome
     if status != OK or not strain > -1:
         return PostureError(_no_posture(activation, constants, 0.0 if status == NO_REST else reached))
     raw = float(np.arctan(xi_02 / (constants.L_0_posture_m * (1 + strain))))
+    xi, psi, theta_a, epsilon_t, epsilon_r = unknowns
     return PostureSolution(
-        strain, max(raw, 0.0), raw, fold_length_m * (1 + strain), max(xi_02, 0.0), *unknowns,
-        residual=residual, converged=True,
-    )  # fmt: skip
+        strain=strain,
+        glottal_half_angle_rad=max(raw, 0.0),
+        raw_glottal_half_angle_rad=raw,
+        length_m=fold_length_m * (1 + strain),
+        half_gap_m=max(xi_02, 0.0),
+        xi_m=xi,
+        psi_m=psi,
+        theta_a_rad=theta_a,
+        epsilon_t=epsilon_t,
+        epsilon_r=epsilon_r,
+        residual=residual,
+        converged=True,
+    )
 
 
 def _no_posture(activation: Activation, constants: PosturingConstants, reached: float) -> str:
-    """The sentence for a posture that was not reached."""
+    """The error message for a posture that was not reached."""
     muscles = ", ".join(f"{key.upper()} {getattr(activation, key):g}" for key in MUSCLE_ORDER)
     changed = " with overridden constants" if constants != posture_set(constants.set_name) else ""
     if reached == 0:

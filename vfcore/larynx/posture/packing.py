@@ -1,4 +1,4 @@
-"""Posturing constants -> the plain arrays and floats the kernel takes, and the scale of its residuals."""
+"""Posturing constants as the arrays and floats that the kernel takes, and the scale of its residuals."""
 
 from dataclasses import fields
 from operator import attrgetter

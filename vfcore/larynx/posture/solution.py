@@ -1,4 +1,4 @@
-"""What the posturing statics answer: one posture, or arrays of many."""
+"""Results of the posturing statics: one posture, or arrays of many."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -34,13 +34,13 @@ class PostureSolution:
 
 
 class PostureBatch(NamedTuple):
-    """Arrays over n activations; rows that did not converge hold NaN and the part of the way covered in ``reached``."""
+    """Arrays over n activations. Rows without convergence hold NaN, and the fraction of the path in ``reached``."""
 
     strain: np.ndarray  # (n,)
     glottal_half_angle_rad: np.ndarray  # (n,), clipped at 0
     raw_glottal_half_angle_rad: np.ndarray  # (n,)
     half_gap_m: np.ndarray  # (n,), clipped at 0
     unknowns: np.ndarray  # (n, 5): ξ m, ψ m, θ_a rad, ε_t, ε_r
-    residual: np.ndarray  # (n,), of the load scale
+    residual: np.ndarray  # (n,), relative to the load scale
     converged: np.ndarray  # (n,) bool
-    reached: np.ndarray  # (n,), 0 rest to 1 the activation asked for
+    reached: np.ndarray  # (n,), from 0 (rest) to 1 (the requested activation)

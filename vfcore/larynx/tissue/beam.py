@@ -5,9 +5,9 @@
     x = 0:  μ̃_c w_b'' + M̄_c = −K_r,a (θ_G − λ^{3/2} w_b' − θ_0)                [eq. AnteriorMomentBC]
     x = L:  μ̃_c w_b'' + M̄_c = −K_r,p λ^{3/2} w_b'                              [eq. PosteriorMomentBeamBC]
 
-One ghost node beyond each end, with the central slope and curvature there, turns a moment
-condition into ghost = gain · (first inner node) + offset. The gain enters the matrix, the
-offset is a constant load. Second order in dx.
+One ghost node beyond each end, with central differences for slope and curvature at the end, turns a moment condition
+into ghost = gain · (first inner node) + offset. The gain enters the matrix; the offset is a constant load. Second order
+in dx. The matrix is symmetric. Code of the bands: vfcore/kernels/tissue.py.
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""From strain and TA activation to the coefficients of the beam–membrane equations.
+"""Coefficients of the beam–membrane equations from strain and TA activation.
 
 The paper, "Model development", with its symbols. Index muc, lig, ta; subscript 0 resting;
 λ = 1 + ε̄. Incompressible layers: d_i = d_i,0/√λ, b = b_0/√λ, A_i = A_i,0/λ.
@@ -52,8 +52,8 @@ class Coefficients:
 def coefficients(strain: float, a_ta: float, c: FoldConstants) -> Coefficients:
     """Coefficients at nominal strain ε̄ and TA activation.
 
-    Raises ParameterError where the prestrained fold has no stiffness left (the equations
-    then mean nothing): membrane tension, axial or bending stiffness of the beam not above 0.
+    Raises ParameterError if the prestrained fold has no stiffness left, that is, if membrane tension, axial or bending
+    stiffness of the beam is not positive: the equations are meaningless then.
     """
     *numbers, axial_stiffness_n = prestrained(strain, a_ta, c)
     _refuse_slack("the beam's axial stiffness in N", axial_stiffness_n, strain)

@@ -2,8 +2,8 @@
 
 f_o: the first autocorrelation peak of the glottal area that is nearly as high as the highest (within NEARLY), in a
 window of 60 ms; NaN where the area changes too little to be audible or no cycle can be tracked (the bounds of
-``vfcore.measures.phonation``). Level: rms of the pressure about its mean over the same window, dB re 20 µPa; NaN
-without sound.
+``vfcore.measures.vibration`` and ``phonation``). Level: rms of the pressure about its mean over the same window, dB re
+20 µPa; NaN without sound.
 """
 
 import numpy as np
@@ -11,8 +11,9 @@ import numpy as np
 from vfcore.kernels.repetition import first_period, likeness
 from vfcore.measures.level import rms_pa, sound_pressure_level_db
 from vfcore.measures.measure import Missing
-from vfcore.measures.phonation import MIN_AREA_SWING_M2, MIN_RELATIVE_SWING, MIN_TRACKABLE
+from vfcore.measures.phonation import MIN_TRACKABLE
 from vfcore.measures.pitch import HIGHEST_RATE_HZ, PEAK_RISE
+from vfcore.measures.vibration import MIN_AREA_SWING_M2, MIN_RELATIVE_SWING
 
 WINDOW_S = 0.060  # four cycles of the lowest voices of men, about 70 Hz
 NEARLY = 0.95

@@ -8,7 +8,7 @@ import numpy as np
 
 from vfcore.errors import ParameterError
 from vfcore.io.audio import AUDIO_RATE_HZ, low_pass
-from vfcore.kernels.polyphase import heard, resample
+from vfcore.kernels.polyphase import filter_and_resample, resample
 from vfcore.runs.gesture.tract_filter import TractResponse
 
 
@@ -38,7 +38,9 @@ class Resampler:
 
     def push_through(self, flow: np.ndarray, tract: TractResponse, lip: np.ndarray, audio: np.ndarray) -> None:
         """Filter ``flow`` through a tract and resample the result in one call; fills ``lip`` (block,) and ``audio``."""
-        heard(flow, tract.memory[0], tract.backward[0], self._samples, self._branches, self._down, lip, audio)
+        filter_and_resample(
+            flow, tract.memory[0], tract.backward[0], self._samples, self._branches, self._down, lip, audio
+        )
 
     def empty(self) -> np.ndarray:
         """An uninitialised array for the audio of one block."""

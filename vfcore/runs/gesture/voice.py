@@ -10,9 +10,9 @@ import numpy as np
 from vfcore.airways.coupled import airways_of, tract_of
 from vfcore.errors import ParameterError
 from vfcore.fold.assemble import Fold
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
-from vfcore.runs.gesture.glide import GlidingFold, Goal, check_step
+from vfcore.runs.gesture.glide import FoldSpec, GlidingFold, check_step
 from vfcore.runs.gesture.resample import Resampler
 from vfcore.runs.gesture.tract_filter import TractFilter
 from vfcore.runs.one import posture_of, prepare
@@ -45,12 +45,12 @@ class Voice:
         ready = prepare(start)
         if start.run.time_step_s is not None:
             raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
-        beside = airways_of(start, DEFAULT_STEP_S)  # those of the first vowel: what loads the folds does not glide
-        march = March(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=beside)
+        airways = airways_of(start, DEFAULT_STEP_S)  # those of the first vowel: their load on the folds does not glide
+        march = TimeMarch(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=airways)
         march.start_static(ready.static) if start.run.start == "static" else march.start_flat()
         self.request, self.posture = start, ready.posture
         check_step(ready.fold, DEFAULT_STEP_S)
-        self._gliding = GlidingFold(march, Goal(start, ready.posture))
+        self._gliding = GlidingFold(march, FoldSpec(start, ready.posture))
         self._now_tract = tract_of(start)
         self._tract_filter = TractFilter(self._now_tract, DEFAULT_STEP_S, BLOCK_STEPS, far=not played)
         self._resampler = Resampler(1.0 / DEFAULT_STEP_S, BLOCK_STEPS)
@@ -82,10 +82,10 @@ class Voice:
 
     def advance(self, target: Simulation, look_at: int = 0) -> Block:
         """The next block, at whose end the request is ``target``. ``look_at``: the step at which ``seen`` is taken."""
-        goal = self._goal(target)
+        spec = self._spec_of(target)
         tract = self._now_tract if _same_tract(target, self.request) else tract_of(target)
         record, lip, audio = self._buffers if self._played else self._new_buffers()
-        self._gliding.advance(goal, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)
+        self._gliding.advance(spec, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)
         flow = record[:, 1]
         steady = self._tract_filter.steady(tract)
         if steady is not None:
@@ -95,7 +95,7 @@ class Voice:
             lip, *others = self._tract_filter.push(flow, tract)
             far = others[0] if others else None
             audio = self._resampler.push(lip)
-        self.request, self.posture, self._now_tract = target, goal.posture, tract
+        self.request, self.posture, self._now_tract = target, spec.posture, tract
         self.blocks += 1
         return Block(record, lip, far, audio)
 
@@ -103,10 +103,10 @@ class Voice:
         """Arrays for record, pressure at the lips and audio of a block."""
         return np.empty((BLOCK_STEPS, len(RECORD))), np.empty(BLOCK_STEPS), self._resampler.empty()
 
-    def _goal(self, target: Simulation) -> Goal:
+    def _spec_of(self, target: Simulation) -> FoldSpec:
         now = self.request
         if target is now or _same_fold(target, now):
-            return self._gliding.goal
+            return self._gliding.spec
         if (target.run, target.model) != (now.run, now.model):
             raise ParameterError("model", "cannot change while the voice goes on", "a new voice")
         same_posture = (target.activation, target.posture, target.posturing, target.constants.L_0_m) == (
@@ -115,7 +115,7 @@ class Voice:
             now.posturing,
             now.constants.L_0_m,
         )
-        return Goal(target, self.posture if same_posture else posture_of(target))
+        return FoldSpec(target, self.posture if same_posture else posture_of(target))
 
 
 def _same_tract(a: Simulation, b: Simulation) -> bool:

@@ -6,8 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfcore.errors import VocalisError
 from vfcore.io.result_document import Quantity
 from vfcore.measures.catalogue import CATALOGUE
+from vfcore.measures.measure import Measure
 from vfcore.runs.many import Point
 from vfcore.runs.sweep.plan import Sweep
 
@@ -34,19 +36,16 @@ def columns(sweep: Sweep) -> dict[str, Quantity]:
     return {key: Quantity(CATALOGUE[key].unit, CATALOGUE[key].symbol, CATALOGUE[key].name) for key in wanted} | _EXTRA
 
 
-def row_of(point: Point, keys: list[str]) -> Row:
+def row_of(point: Point | VocalisError, keys: list[str]) -> Row:
     """The row of a computed point."""
-    if point.problem is not None:
-        return failed_row(str(point.problem), len(keys))
+    if isinstance(point, VocalisError):
+        return failed_row(str(point), len(keys))
     report = point.report
     values = np.full(len(keys), np.nan)
     reasons: dict[str, list[int]] = {}
     for column, key in enumerate(keys):
-        if key == PERIODICITY:
-            value, reason = report.periodicity, report.explanation
-        else:
-            measure = report.measures[key]
-            value, reason = measure.value, measure.reason
+        measure = Measure(report.periodicity, "1", report.explanation) if key == PERIODICITY else report.measures[key]
+        value, reason = measure.value, measure.reason
         if value is not None and np.isfinite(value):
             values[column] = value
         else:

@@ -40,29 +40,31 @@ def run_task(part: Sweep, model_version: str, stop: Stop | None = None) -> TaskR
         )
     began = time.perf_counter()
     keys = list(columns(part))
-    points: dict[int, Point] = {}
+    points: dict[int, Point | VocalisError] = {}
     requests: dict[int, Simulation] = {}
     for position in range(len(part)):
         try:
             requests[position] = part.request(position)
         except ParameterError as error:
-            points[position] = Point(None, None, error)
+            points[position] = error
     results: dict[int, SimulationResult] = {}
     if part.keep_waveforms:
         for position, request in requests.items():
             points[position] = _whole(request, position, results, stop)
     else:
-        asked = {"measures": part.measures, "precision": part.precision}
-        points |= zip(requests, run_points(list(requests.values()), stop, **asked), strict=True)
+        found = run_points(list(requests.values()), stop, measures=part.measures, precision=part.precision)
+        points |= zip(requests, found, strict=True)
     rows = [row_of(points[position], keys) for position in range(len(part))]
     return TaskResult(rows, results, time.perf_counter() - began)
 
 
-def _whole(request: Simulation, position: int, results: dict[int, SimulationResult], stop: Stop | None) -> Point:
+def _whole(
+    request: Simulation, position: int, results: dict[int, SimulationResult], stop: Stop | None
+) -> Point | VocalisError:
     try:
         results[position] = result = simulate(request, stop=stop)
     except Cancelled:
         raise
     except VocalisError as error:
-        return Point(None, None, error)
-    return Point(result.posture, result.report, None)
+        return error
+    return Point(result.posture, result.report)

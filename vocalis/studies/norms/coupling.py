@@ -13,7 +13,7 @@ from vfcore.airways.coupled import Airways, airways
 from vfcore.airways.resonances import closed_glottis_formants
 from vfcore.airways.tract import Tract
 from vfcore.errors import DivergenceError, VocalisError
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import time_step_s
 from vfcore.runs.one import prepare, simulate
 from vfcore.runs.result import SimulationResult
@@ -79,7 +79,7 @@ def fo_over_f1(pressure_pa: float = 800.0) -> list[dict[str, float]]:
     rows = []
     for f1 in TUBE_F1_HZ:
         tube = Tract((TUBE_AREA_M2,) * round(air.c_a_m_s / (4 * f1) / section), section)
-        march = March(fold, DEFAULT_STEP_S, pressure_pa, 0.0, Airways(below.subglottal, tube, below.substeps))
+        march = TimeMarch(fold, DEFAULT_STEP_S, pressure_pa, 0.0, Airways(below.subglottal, tube, below.substeps))
         march.start_flat()
         area = march.run(round(0.6 / DEFAULT_STEP_S))[:, 0]
         rows.append({"f1_hz": float(closed_glottis_formants(tube, 1).frequency_hz[0]), "fo_hz": _rate(area)})

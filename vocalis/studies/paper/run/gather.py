@@ -16,7 +16,7 @@ from vfcore.errors import VocalisError
 from vfcore.measures.catalogue import CATALOGUE, MeasureReport
 from vfcore.measures.measure import Measure
 from vfcore.runs.many import run_points
-from vfcore.runs.one import Prepared, prepare, simulate
+from vfcore.runs.one import FoldSetup, prepare, simulate
 from vfcore.spec.simulation import PAPER_STEP_S, Simulation
 from vocalis.studies.paper import evidence
 from vocalis.studies.paper.cases import Case
@@ -27,7 +27,7 @@ LEVEL = "spl_lips_db"
 WARM_UP_S = 0.02
 Progress = Callable[[str, int, int], None]
 #: A function from a request to its fold at rest.
-Prepare = Callable[[Simulation], Prepared]
+Prepare = Callable[[Simulation], FoldSetup]
 
 
 class Failure(NamedTuple):
@@ -104,7 +104,7 @@ def _answers(case: Case) -> list:
     if case.kind not in _READ:
         return [_answer(case.kind, request, prepare) for request in case.requests()]
     points = run_points(case.requests(), measures=_READ[case.kind])
-    return [point.report or Failure(str(point.problem)) for point in points]
+    return [Failure(str(point)) if isinstance(point, VocalisError) else point.report for point in points]
 
 
 def timing(own: Simulation) -> evidence.Timing | Failure:

@@ -1,16 +1,16 @@
-"""Where a glide leads, compiled, against the fold that Python assembles for the same posture."""
+"""Compiled re-assembly at a new posture against the fold that Python assembles for the same posture."""
 
 import numpy as np
 import pytest
 
 from vfcore.errors import ParameterError
 from vfcore.fold import assemble
-from vfcore.fold.march import March
+from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import SAFETY, longest_stable_step_s
 from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.layout import SCALARS, Layout
-from vfcore.kernels.reassemble import target_kernel
-from vfcore.runs.gesture.glide import GlidingFold, Goal, packed
+from vfcore.kernels.reassemble import reassemble_kernel
+from vfcore.runs.gesture.glide import FoldSpec, GlidingFold, packed
 from vfcore.runs.one import prepare
 from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Model, PostureOverride, Run, Simulation
@@ -20,17 +20,25 @@ START = Simulation(run=Run(nx=8, ny=4))
 
 
 def filled(request: Simulation) -> tuple[np.ndarray, np.ndarray, float]:
-    """Buffer, scalars and longest step that the kernel makes for a request, over those of START."""
+    """Buffer, scalars and longest step of the kernel for a request, written over those of START."""
     ready, at_first = prepare(request), prepare(START)
     buffer = assemble.new_buffer(at_first.fold, DEFAULT_STEP_S)
     scalars, work = np.empty(len(SCALARS)), np.empty(3 * request.run.nx)
     rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
     inferior_stiff = request.model.coupling_gradient == "inferior_stiff"
-    longest_s = target_kernel(request.run.nx, request.run.ny, ready.fold.rotation)(
-        ready.posture.strain, request.activation.ta, ready.posture.glottal_half_angle_rad, rest_angle,
-        request.convergence_angle_rad, inferior_stiff, DEFAULT_STEP_S, packed(request.constants),
-        buffer, scalars, work,
-    )  # fmt: skip
+    longest_s = reassemble_kernel(request.run.nx, request.run.ny, ready.fold.rotation)(
+        ready.posture.strain,
+        request.activation.ta,
+        ready.posture.glottal_half_angle_rad,
+        rest_angle,
+        request.convergence_angle_rad,
+        inferior_stiff,
+        DEFAULT_STEP_S,
+        packed(request.constants),
+        buffer,
+        scalars,
+        work,
+    )
     return buffer, scalars, longest_s
 
 
@@ -48,7 +56,7 @@ def filled(request: Simulation) -> tuple[np.ndarray, np.ndarray, float]:
     ],
 )
 def test_the_numbers_are_those_of_the_assembled_fold(request_):
-    """Tolerance 1e-12 of the largest of each kind: rounding, in another order."""
+    """Tolerance 1e-12 of the largest number of each field: rounding, in another order of operations."""
     fold, layout = prepare(request_).fold, Layout(request_.run.nx, request_.run.ny)
     buffer, scalars, longest_s = filled(request_)
     wanted = assemble.new_buffer(fold, DEFAULT_STEP_S)
@@ -58,7 +66,7 @@ def test_the_numbers_are_those_of_the_assembled_fold(request_):
     untouched = np.ones(layout.size, bool)
     for view in assemble.fixed(untouched, layout, 0):
         view[...] = False
-    assert np.array_equal(buffer[untouched], wanted[untouched]), "and nothing else was written"
+    assert np.array_equal(buffer[untouched], wanted[untouched]), "and nothing else may be written"
     np.testing.assert_allclose(scalars, assemble.scalars(fold, DEFAULT_STEP_S), rtol=1e-12)
     assert SAFETY * longest_s == pytest.approx(longest_stable_step_s(fold), rel=1e-12)
 
@@ -77,18 +85,18 @@ def test_the_banded_inverse_is_the_inverse():
         invert(D, a, c, found.reshape(-1), n + 3)
         right = np.linalg.inv(matrix)
         np.testing.assert_allclose(found[:, :n], right, rtol=0, atol=1e-13 * np.abs(right).max())
-        assert (found[:, n:] == 7.0).all(), "idle columns stay"
+        assert (found[:, n:] == 7.0).all(), "idle columns must not change"
 
 
-def test_a_goal_that_means_nothing_is_refused_and_the_fold_goes_on():
+def test_a_target_without_stiffness_or_with_too_short_a_step_is_refused_and_the_fold_continues():
     ready = prepare(START)
-    march = March(ready.fold, DEFAULT_STEP_S, 800.0)
+    march = TimeMarch(ready.fold, DEFAULT_STEP_S, 800.0)
     march.start_flat()
-    gliding = GlidingFold(march, Goal(START, ready.posture))
+    gliding = GlidingFold(march, FoldSpec(START, ready.posture))
     slack = PAPER_LARYNX.override({"sigma_1_muc_pa": 0.0, "sigma_2_muc_pa": 0.0})
     with pytest.raises(ParameterError, match="no stiffness left"):
-        gliding.advance(Goal(Simulation(run=START.run, larynx=slack), ready.posture), 800.0, 45)
+        gliding.advance(FoldSpec(Simulation(run=START.run, larynx=slack), ready.posture), 800.0, 45)
     stiff = PAPER_LARYNX.override({"C_col_pa_s_m": 1e5})
     with pytest.raises(ParameterError, match="need a shorter step"):
-        gliding.advance(Goal(Simulation(run=START.run, larynx=stiff), ready.posture), 800.0, 45)
-    assert np.isfinite(gliding.advance(Goal(START, ready.posture), 900.0, 45)[:, :2]).all()
+        gliding.advance(FoldSpec(Simulation(run=START.run, larynx=stiff), ready.posture), 800.0, 45)
+    assert np.isfinite(gliding.advance(FoldSpec(START, ready.posture), 900.0, 45)[:, :2]).all()

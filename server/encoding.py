@@ -1,4 +1,4 @@
-"""Arrays as octets: little-endian float32, C order, their shapes beside them."""
+"""Arrays as bytes: little-endian float32, C order, described by a JSON header."""
 
 import json
 import struct
@@ -13,7 +13,7 @@ from vfcore.runs.result import ARRAYS, SimulationResult
 ALIGN = 4
 
 
-def octets(array: np.ndarray) -> bytes:
+def float32_bytes(array: np.ndarray) -> bytes:
     """An array as little-endian float32 in C order."""
     return np.ascontiguousarray(array, dtype="<f4").tobytes()
 
@@ -24,26 +24,21 @@ def chosen_names(arrays: str | None) -> tuple[str, ...]:
         return tuple(ARRAYS)
     names = tuple(name.strip() for name in arrays.split(",") if name.strip())
     for name in names:
-        check_name(name, "arrays")
+        if name not in ARRAYS:
+            raise ParameterError("arrays", f"{name!r} is not an array of a result", ", ".join(ARRAYS))
     return names
-
-
-def check_name(name: str, path: str) -> None:
-    """ParameterError unless a result has an array of this name."""
-    if name not in ARRAYS:
-        raise ParameterError(path, f"{name!r} is not an array of a result", ", ".join(ARRAYS))
 
 
 def bundle(document: dict[str, Any], result: SimulationResult, names: Iterable[str]) -> bytes:
     """One reply with everything: uint32 header length, JSON header, array data.
 
     The header is ``document`` with ``arrays`` listing the chosen ones, each with its ``offset`` in bytes from the
-    start of the data, which follows the header; both are multiples of 4 (the header ends in spaces).
+    start of the data, which follows the header; both are multiples of 4 (the header is padded with spaces).
     """
     table, parts, offset = {}, [], 0
     for name in names:
         array, spec = result.arrays[name], ARRAYS[name]
-        data = octets(array)
+        data = float32_bytes(array)
         table[name] = {
             "offset": offset,
             "shape": list(array.shape),

@@ -1,18 +1,18 @@
-"""``point`` events: what a sweep has just got, several points at a time."""
+"""``point`` events: the points of a sweep that have just been stored, several at a time."""
 
 from typing import Any
 
 from vfcore.runs.sweep.plan import Sweep
 from vfcore.runs.sweep.row import Row, columns
 
-#: Sweeps of more points tell positions only: their numbers are fetched with GET …/result?partial=true.
-MOST_TOLD = 2500
+#: Events of larger sweeps carry positions only: their numbers are fetched with GET …/result?partial=true.
+MOST_IN_EVENTS = 2500
 
 
 def point_document(job_id: str, sweep: Sweep, positions: list[int], rows: list[Row] | None) -> dict[str, Any]:
-    """``index``: positions in C order of the axes; the other lists run along it, null where there is no value."""
+    """``index``: positions in C order of the axes; the other lists have its order, null where there is no value."""
     document: dict[str, Any] = {"id": job_id, "index": positions}
-    if rows is None or len(sweep) > MOST_TOLD:
+    if rows is None or len(sweep) > MOST_IN_EVENTS:
         return document
     values = [row.values.tolist() for row in rows]
     return document | {

@@ -1,0 +1,295 @@
+"""The page holds a patch: whatever way it takes, it is the same computation, and what is shown is in force."""
+
+import random
+import re
+from functools import cache
+from typing import Any
+
+import pytest
+
+from tests.browser.conftest import DESK, PHONE
+from vfcore.spec.address import address
+from vfcore.spec.paths import DECLARATIONS, LARYNX
+from vfcore.spec.posture_sets import POSTURE_SETS
+from vfcore.spec.request import resolve, values_of
+from vfcore.spec.variants import VARIANTS
+
+C_COUP = "constants.C_coup_pa_s_m"
+LIVE_S = 0.5
+#: The page sets the duration itself; a rise longer than it is refused.
+NOT_DRAWN = {"model.variant", "model.posture_set", "run.duration_s", "run.pressure_rise_s"}
+#: Sets patches in the page's own modules and returns all the ways that lead on from each.
+WAYS = """async (cases) => {
+  const params = await import("/core/parameters.js");
+  const { getJson } = await import("/core/api.js");
+  const request = await import("/state/request.js");
+  const { firstDefaults, followDefaults } = await import("/features/live/follow-defaults.js");
+  const { setConnection } = await import("/state/session.js");
+  const { takeResult } = await import("/state/answers.js");
+  const { readQuery, writeQuery } = await import("/features/page/url.js");
+  const { hold, held } = await import("/features/compare/state.js");
+  const { loadCell } = await import("/features/map/run.js");
+  const schema = params.readSchema(await getJson("parameters"));
+  const known = async () => {
+    while (request.awaitsDefaults.value) await new Promise((resolve) => setTimeout(resolve, 2));
+  };
+  const body = (patch) => params.simulationRequest(patch, { duration_s: 0.5 });
+  request.begin(schema, [], {}, await firstDefaults({}));
+  setConnection("ready");
+  takeResult({});
+  const stop = followDefaults();
+  const found = [];
+  for (const { variant, set, entries, resets, cell, patient } of cases) {
+    request.restorePatch({});
+    request.chooseVariant(variant);
+    if (set !== null) request.setValue("model.posture_set", set);
+    if (patient) await known();
+    for (const [path, value] of entries) request.setValue(path, value);
+    for (const path of resets) request.resetValue(path);
+    const sent = body(request.patch.value);
+    const link = writeQuery(schema, request.patch.value);
+    const base = request.patch.value;
+    hold("a");
+    await known();
+    const values = request.values.value;
+    const axes = Object.keys(cell).map((path) => ({ paths: [path] }));
+    loadCell({ table: { axes }, base }, Object.values(cell));
+    const ofCell = body(request.patch.value);
+    request.chooseVariant("text_literal");
+    request.restorePatch(held.value.a.patch);
+    const kept = body(request.patch.value);
+    found.push({ sent, read: body(readQuery(schema, link).patch), ofCell, kept, values });
+  }
+  stop();
+  return found;
+}"""
+#: What the page says to the worker of a played voice.
+SAID = """
+window.said = [];
+const post = Worker.prototype.postMessage;
+Worker.prototype.postMessage = function (message, ...rest) {
+  if (message.open) window.said.push(message.open.first);
+  else if (message.send) window.said.push(message.send);
+  return post.call(this, message, ...rest);
+};
+"""
+
+
+@cache
+def in_force(variant: str, posture_set: str | None) -> dict[str, Any]:
+    return values_of(resolve({"model.variant": variant, "model.posture_set": posture_set}))
+
+
+def drawn(rng: random.Random, path: str) -> Any:
+    """A value of its range; of a constant mostly that of some variant and set."""
+    row = DECLARATIONS[path]
+    if row.part == LARYNX and rng.random() < 0.8:
+        return in_force(rng.choice(list(VARIANTS)), rng.choice(list(POSTURE_SETS)))[path]
+    if row.metadata["type"] == "boolean":
+        return rng.random() < 0.5
+    if row.metadata["type"] == "choice":
+        return rng.choice(row.metadata["options"])
+    if row.default is not None and rng.random() < 0.3:
+        return row.default
+    value = rng.uniform(row.metadata["low"], row.metadata["high"])
+    return round(value) if row.is_whole else value
+
+
+def cases_of(rng: random.Random, each: int) -> list[dict[str, Any]]:
+    """For every variant and posture set: entries, some of which are reset, and the numbers of a cell."""
+    paths = sorted(DECLARATIONS.keys() - NOT_DRAWN)
+    changed = sorted({f"{LARYNX}.{name}" for variant in VARIANTS.values() for name in variant.overrides})
+    cases = []
+    for variant in VARIANTS:
+        for posture_set in (None, *POSTURE_SETS):
+            for _ in range(each):
+                chosen = rng.sample(paths, 6) + rng.sample(changed, 4)
+                up, right = rng.sample(changed, 1) + ["activation.ct"]
+                cases.append(
+                    {
+                        "variant": variant, "set": posture_set, "patient": rng.random() < 0.5,
+                        "entries": [(path, drawn(rng, path)) for path in chosen],
+                        "resets": rng.sample(chosen, 2),
+                        "cell": {up: drawn(rng, up), right: drawn(rng, right)},
+                    }
+                )  # fmt: skip
+    return cases
+
+
+def meant(case: dict[str, Any]) -> dict[str, Any]:
+    """The patch that a case asks for, with nothing left out because it is in force anyway."""
+    patch = {"model.variant": case["variant"], "run.duration_s": LIVE_S} | dict(case["entries"])
+    if case["set"] is not None:
+        patch["model.posture_set"] = case["set"]
+    return {path: value for path, value in patch.items() if path not in case["resets"]}
+
+
+def test_every_way_leads_to_the_same_computation(modules):
+    cases = cases_of(random.Random(7), each=6)
+    for case, found in zip(cases, modules(WAYS, cases), strict=True):
+        patch = meant(case)
+        wanted = resolve(patch)
+        for way in ("sent", "read", "kept"):
+            assert address(resolve(found[way])) == address(wanted), (way, case)
+        cell = resolve(patch | case["cell"])
+        assert address(resolve(found["ofCell"])) == address(cell), case
+        for path, value in values_of(wanted).items():
+            if not path.startswith(("posture", "run.duration_s")):
+                shown = found["values"][path]  # JavaScript writes large numbers as whole ones
+                assert (float(shown) if isinstance(value, float) else shown) == value, (path, case)
+
+
+def choose(here, variant: str) -> None:
+    here.page.locator(".variant select").select_option(variant)
+    here.settle()
+
+
+def computed(here) -> dict[str, Any]:
+    """The request of the result that is shown."""
+    shown = here.page.evaluate("async () => (await import('/state/answers.js')).result.value.id")
+    return here.api(f"jobs/{shown}/result")["provenance"]["request"]
+
+
+@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
+def test_a_variant_shows_and_uses_its_own_coupling(visit, viewport):
+    here = visit(viewport=viewport)
+    phone = viewport is PHONE
+    show = lambda tab: phone and here.page.locator(f"#tab-{tab}").click()  # noqa: E731
+    show("more")
+    choose(here, "human")
+    assert computed(here)["model"]["coupling"] == "two_way"
+    here.page.wait_for_url("**/?model.variant=human")
+    show("muscles")
+    here.page.locator(".advanced summary").click()
+    coupling = here.page.locator("#control-model-coupling")
+    assert coupling.input_value() == "two_way"
+    coupling.select_option("one_way")
+    here.settle()
+    assert coupling.input_value() == "one_way" and computed(here)["model"]["coupling"] == "one_way"
+    coupling.select_option(label="the variant’s own")
+    here.settle()
+    assert coupling.input_value() == "two_way" and computed(here)["model"]["coupling"] == "two_way"
+    coupling.select_option("one_way")
+    show("more")
+    choose(here, "human_female")
+    assert computed(here)["model"]["coupling"] == "two_way", "a variant brings its own again"
+    choose(here, "paper")
+    assert computed(here)["model"]["coupling"] == "one_way"
+
+
+def test_a_constant_of_a_variant_is_shown_and_one_equal_to_the_papers_is_sent(visit):
+    here = visit("?map")
+    choose(here, "human")
+    axis = here.page.get_by_role("combobox", name="Up: parameter")
+    axis.select_option(C_COUP)
+    ends = [here.page.get_by_role("textbox", name=f"Up: {end}").input_value() for end in ("from", "to")]
+    assert [float(end) for end in ends] == [0.5 * 36, 1.5 * 36], "around the value in force"
+    for field, text in (("Up: from", "10"), ("Up: to", "36"), ("Up: steps", "2"), ("To the right: steps", "2")):
+        place = here.page.get_by_role("textbox", name=field)
+        place.fill(text)
+        place.press("Tab")
+    here.page.get_by_role("button", name="Make the map").click()
+    here.page.locator(".map-files").wait_for()
+    here.page.locator(".map-run progress").wait_for(state="detached")
+    cell = here.page.get_by_role("group", name="Choose a cell")
+    cell.locator("select").first.select_option(label="10")
+    cell.get_by_role("button", name="Load this voice").click()
+    here.page.wait_for_url(lambda address: f"{C_COUP}=10" in address)
+    here.settle()
+    assert computed(here)["constants"]["C_coup_pa_s_m"] == 10
+    cell.locator("select").first.select_option(label="36")
+    cell.get_by_role("button", name="Load this voice").click()
+    here.page.wait_for_url(lambda address: C_COUP not in address)
+    here.settle()
+    assert computed(here)["constants"] == {}, "36 is the variant's own"
+
+    linked = visit(f"?model.variant=human&{C_COUP}=10")
+    assert computed(linked)["constants"]["C_coup_pa_s_m"] == 10
+    linked.page.get_by_role("button", name="Export").first.click()
+    linked.page.get_by_role("button", name="Report to print").click()
+    assert re.search(r"coupling damping.*\n10", linked.page.locator("article.report").inner_text(), re.I)
+
+
+def test_the_tract_that_is_drawn_is_the_one_that_is_heard(visit):
+    here = visit()
+    choose(here, "human_female")
+    here.page.locator("#panel-voice").click()
+    here.painted()
+    shown = here.page.evaluate("async () => (await import('/features/spectrum/tract.js')).tract.value.formants")
+    wanted = here.api("tract/a?variant=human_female")["formants"]
+    assert shown == wanted
+    assert shown[0]["frequency_hz"] == pytest.approx(802, abs=1)
+    assert shown[0] != here.api("tract/a")["formants"][0]
+    scaled = visit("?constants.airway_scale=0.9&constants.c_a_m_s=340")
+    shown = scaled.page.evaluate("async () => (await import('/features/spectrum/tract.js')).tract.value.formants")
+    assert shown == here.api("tract/a?airway_scale=0.9&c_a_m_s=340")["formants"]
+
+
+def test_defaults_are_asked_once_for_each_model_and_never_by_a_slider(visit):
+    here = visit()
+    asked = []
+    here.page.on("request", lambda request: asked.append(request.post_data) if "/resolve" in request.url else None)
+    for value in (0.1, 0.9, 0.5):
+        here.set("activation.ct", value)
+    here.page.locator(".preset select").select_option("breathy")
+    here.settle()
+    assert asked == []
+    for variant in ("human", "paper", "human"):
+        choose(here, variant)
+    assert asked == ['{"model":{"variant":"human"}}']
+
+
+def test_old_values_stay_until_the_new_ones_are_there_and_a_failed_call_is_repeated(visit):
+    here = visit()
+    here.expected = re.compile("Failed to load resource")
+    calls = []
+
+    def late(route):
+        calls.append(route)
+        return route.abort() if len(calls) == 1 else None  # the second answer waits for the test
+
+    here.page.route("**/api/v1/resolve", late)
+    here.page.locator(".advanced summary").click()
+    boxes = "() => [...document.querySelectorAll('.left *')].map((e) => Math.round(e.getBoundingClientRect().top))"
+    before = here.page.evaluate(boxes)
+    here.page.locator(".variant select").select_option("human")
+    here.page.wait_for_timeout(300)
+    value = f"async () => (await import('/state/request.js')).values.value['{C_COUP}']"
+    assert here.page.evaluate(value) == 10
+    assert here.page.locator("#control-model-coupling").input_value() == "one_way"
+    for _ in range(100):
+        if len(calls) < 2:
+            here.page.wait_for_timeout(50)
+    calls[1].continue_()
+    here.settle()
+    assert here.page.evaluate(value) == 36
+    assert here.page.locator("#control-model-coupling").input_value() == "two_way"
+    assert here.page.evaluate(boxes) == before, "nothing moves"
+
+
+def test_a_refused_model_is_named_and_the_page_goes_on(visit):
+    here = visit("?model.variant=giraffe&activation.ct=0.5", wait=False)
+    here.expected = re.compile("422")
+    here.settle()
+    assert here.typed("Cricothyroid (CT)").input_value() == "0.50"
+    assert here.typed("Thyroarytenoid (TA)").input_value() == "0.40"
+    choose(here, "human")
+    assert computed(here)["model"]["variant"] == "human"
+
+
+def test_a_played_voice_gets_the_patch_and_then_what_changes(visit):
+    here = visit("?activation.ct=0.6&model.variant=human", init=SAID)
+    here.page.get_by_role("tab", name="Play", exact=True).click()
+    here.page.get_by_role("button", name="Play live").click()
+    sounding = "async () => (await import('/state/played-voice.js')).status.value === 'on'"
+    here.page.wait_for_function(sounding)
+    slider = here.slider("activation.ct")
+    slider.locator("..").dblclick(position={"x": 3, "y": 3})
+    here.page.wait_for_url("**/?model.variant=human")
+    said = here.page.evaluate("said")
+    assert said[0] == {"activation": {"ct": 0.6}, "model": {"variant": "human"}}
+    assert said[-1]["activation"] == {"ct": 0.3}, "a reset says the value in force"
+    here.page.locator(".variant select").select_option("paper")
+    here.page.wait_for_function("() => said.some((one) => Object.keys(one).length === 0)")
+    here.page.wait_for_function(sounding)
+    here.page.get_by_role("button", name="Stop").first.click()
