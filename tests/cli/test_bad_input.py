@@ -37,7 +37,7 @@ REFUSED = [
     ("--set constants.K_col_pa_m=NaN", "constants.K_col_pa_m", "nan", "10000 to 1e+09 Pa/m"),
     ("--set presure=3", "presure", "", "subglottal_pressure_pa"),
     ("--set activation=3", "activation", "int", "object"),
-    ("--set vowel=a --set vowel.x=3", "vowel.x", "'a'", "path"),
+    ("--set vowel=a --set vowel.x=3", "vowel.x", "", "vowel"),
     ("--set vowel", "--set", "vowel", "PATH=VALUE"),
     ("--set =3", "--set", "=3", "PATH=VALUE"),
     ("--set kind=sweep", "kind", "sweep", "simulation"),

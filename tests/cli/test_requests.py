@@ -77,7 +77,7 @@ def test_later_beats_earlier_and_leaves_the_rest(request_of, tmp_path):
     path.write_text(json.dumps({"activation": {"ta": 0.1, "ct": 0.1, "lca": 0.1}, "run": {"nx": 30}}))
     request = request_of(
         "--preset", "breathy", "--request", str(path), "--ct", "0.2", "--lca", "0.2", "--set", "activation.lca=0.3"
-    )  # fmt: skip
+    )
     a = request.activation
     assert (a.pca, a.ta, a.ct, a.lca) == (0.5, 0.1, 0.2, 0.3)  # preset, file, option, --set
     assert request.run.nx == 30 and request.run.ny == 10

@@ -67,9 +67,10 @@ class Server:
     def start(self) -> None:
         environment = os.environ | {"VOCALIS_JOBS_DIRECTORY": str(self.folder), "VOCALIS_JOBS_PER_CLIENT": "1000"}
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "vocalis.server", "--port", str(self.port)], env=environment,
+            [sys.executable, "-m", "vocalis.server", "--port", str(self.port)],
+            env=environment,
             stdout=subprocess.DEVNULL,
-        )  # fmt: skip
+        )
         deadline = time.monotonic() + READY_S
         while not self._is_ready():
             if self._process.poll() is not None or time.monotonic() > deadline:

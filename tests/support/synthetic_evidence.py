@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from vocalis.studies.paper.evidence import ActivationMap, PcaSweep, StaticSeries, Voice
+from vocalis.studies.paper.evidence import ActivationMap, PcaSweep, StaticSeries, VoiceCycle
 
 LEVELS = np.linspace(0.0, 1.0, 11)
 X, Y = np.linspace(0.0, 1.0, 21), np.linspace(0.0, 1.0, 10)
@@ -46,7 +46,7 @@ def voice_of(w, half_gap=0.0, state="periodic", flow=None, aerodynamic=None, con
     speed = (np.roll(w, -1, axis=0) - np.roll(w, 1, axis=0)) / 2
     spring = 1e6 * (overlap + 2.0 * speed * (overlap > 0.0))
     push = np.where(rising, 800.0, 80.0)[:, None, None] * np.ones_like(w)
-    return Voice(
+    return VoiceCycle(
         state,
         f"State {state}.",
         state != "none",

@@ -23,7 +23,7 @@ from tests.support.synthetic_evidence import (
     touching,
     voice_of,
     wave,
-)  # fmt: skip
+)
 from vfcore.spec.simulation import PAPER_STEP_S, Simulation
 from vocalis.studies.paper import CASES, CLAIMS, Verdict, cases, evidence
 from vocalis.studies.paper.claims.claim import PICTURES
@@ -184,7 +184,7 @@ TABLE = {
         for places in ([0.2, 0.5, 0.2], [0.5, 0.2], [0.5])
     ),
     "T1": (Timing(1.0, 0.2, 0.01), Timing(1.0, 90.0, 0.01), Timing(1.0, 200.0, 0.01)),
-}  # fmt: skip
+}
 
 ROWS = [
     pytest.param(key, given, verdict, id=f"{key}-{verdict}")
@@ -334,7 +334,7 @@ def test_cases_ask_for_what_the_paper_ran():
 
 def test_evidence_of_a_run_is_one_cycle_whose_area_follows_from_its_shape():
     modal = Simulation()
-    voice = evidence.voice(vfcore.simulate(replace(modal, run=replace(modal.run, duration_s=0.3))))
+    voice = evidence.voice_cycle(vfcore.simulate(replace(modal, run=replace(modal.run, duration_s=0.3))))
     gap = 2 * np.maximum(voice.medial_m - voice.w_m, 0.0).min(axis=2)
     area = np.trapezoid(gap, voice.x_m, axis=1)
     np.testing.assert_allclose(voice.area_m2, area, rtol=0, atol=1e-3 * area.max())

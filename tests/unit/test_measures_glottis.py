@@ -12,7 +12,7 @@ from tests.support.synthetic_waves import (
     steady_phase,
     times,
     triangle,
-)  # fmt: skip
+)
 from vfcore.measures import measure_all
 
 RATES = [60.0, 97.3, 149.6, 200.01, 333.3, 499.7]

@@ -20,9 +20,9 @@ from vocalis.studies.norms.candidate import HELD, Candidate, Reference, front
 from vocalis.studies.norms.efforts import POSTURE, requests
 from vocalis.studies.norms.evolution import evolve
 from vocalis.studies.norms.norms import FIFTEEN, NORMS
+from vocalis.studies.norms.reading import flow_measures
 from vocalis.studies.norms.score import answer, judge, judged, score_variant
 from vocalis.studies.norms.ship import MADE, pages, shipped
-from vocalis.studies.norms.voice import flow_measures
 from vocalis.studies.paper.report.text import filled
 
 RATE = 35000.0
@@ -71,8 +71,10 @@ def test_human_changes_constants_only_and_says_why():
         variant = VARIANTS[name]
         paper = VARIANTS["paper"]
         assert (variant.posture_set, variant.coupling_gradient, variant.shear) == (
-            paper.posture_set, paper.coupling_gradient, paper.shear,
-        )  # fmt: skip
+            paper.posture_set,
+            paper.coupling_gradient,
+            paper.shear,
+        )
         for change in variant.changes:
             assert change.value != PAPER_LARYNX.value(change.name) and len(change.why) > 20
 
@@ -198,6 +200,7 @@ def test_the_variant_and_the_posture_of_the_norms_are_what_the_study_adopts():
     assert {name: own.value(name) for name in adopted["constants"]} == adopted["constants"]
     assert set(VARIANTS["human"].overrides) <= set(adopted["constants"])
     assert asdict(POSTURE) == pytest.approx(adopted["activation"])
+    assert calibration.current_set() == (adopted["constants"], pytest.approx(adopted["activation"]))
 
 
 def test_human_keeps_the_shapes_and_maps_that_its_coupling_leaves_the_paper():

@@ -11,8 +11,8 @@ from vocalis.studies.paper.report.ship import CONVERGENCE, shipped
 
 REFUSED = [
     ("--variant mine", "--variant", "paper | text_literal | human | human_female | both"),
-    ("--only X9", "X9 is no claim", "S1, S2"),
-    ("--only ,", "names no claim", "S1, S2"),
+    ("--only X9", "X9 is not a claim", "S1, S2"),
+    ("--only ,", "contains no claim", "S1, S2"),
     ("--html /no/such/folder/r.html", "--html", "existing folder"),
     ("--study --only S1", "--only", "--study"),
     ("--study --convergence", "--convergence", "--study"),

@@ -9,7 +9,7 @@ from tests.support.synthetic_evidence import CT, HALF_SINE, TA, activation_map, 
 from vocalis.studies.paper import CLAIMS
 from vocalis.studies.paper.pictures.by_claim import figure
 from vocalis.studies.paper.pictures.muscle_maps import BLANKS, blanks, measure
-from vocalis.studies.paper.pictures.plot import Axis, Plot
+from vocalis.studies.paper.pictures.plot import Plot, PlotAxis
 from vocalis.studies.paper.run.gather import Failure
 
 VOICE = voice_of(wave(), speed_quotient=1.5, closed_quotient=0.5)
@@ -85,7 +85,7 @@ def test_a_curve_breaks_where_nothing_repeats():
 
 
 def test_points_land_where_the_axes_say():
-    plot = Plot("t", Axis(0.0, 2.0, "x"), Axis(0.0, 10.0, "y"))
+    plot = Plot("t", PlotAxis(0.0, 2.0, "x"), PlotAxis(0.0, 10.0, "y"))
     plot.line([0.0, 2.0], [0.0, 10.0], "red")
     plot.cell((0.0, 2.0), (0.0, 10.0), "blue")
     tree = drawn(plot)
@@ -96,7 +96,7 @@ def test_points_land_where_the_axes_say():
 
 
 def test_ticks_are_round_numbers_within_an_axis_that_may_run_backwards():
-    plot = Plot("t", Axis(0.0, 1.0, "x"), Axis(1.05, -0.05, "y/b"))
+    plot = Plot("t", PlotAxis(0.0, 1.0, "x"), PlotAxis(1.05, -0.05, "y/b"))
     rows = [t for t in drawn(plot).iter("text") if t.get("text-anchor") == "end"]
     assert [t.text for t in rows] == ["0", "0.25", "0.5", "0.75", "1"]
     heights = [float(t.get("y")) for t in rows]

@@ -10,7 +10,7 @@ from vfcore.runs.one import simulate
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Simulation
 from vocalis.studies.paper import CASES, CLAIMS, Verdict
-from vocalis.studies.paper.cases import Axis
+from vocalis.studies.paper.cases import MuscleAxis
 from vocalis.studies.paper.run.gather import Failure, gather, gather_here, workers
 from vocalis.studies.paper.run.score import cases_for, definitions_hash, judge, score
 
@@ -20,7 +20,7 @@ SHORT = resolve({"run": {"duration_s": 0.25}})
 
 
 def small(key, *levels, base=SHORT):
-    axes = tuple(Axis(axis.muscles, level) for axis, level in zip(CASES[key].axes, levels, strict=True))
+    axes = tuple(MuscleAxis(axis.muscles, level) for axis, level in zip(CASES[key].axes, levels, strict=True))
     return {key: replace(CASES[key], axes=axes, base=base)}
 
 

@@ -10,7 +10,7 @@ from vfcore.spec.posture_sets import posture_set
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Activation, Simulation
 from vocalis.studies.paper.cases import CASES
-from vocalis.studies.paper.claims.claim import Outcome, Verdict
+from vocalis.studies.paper.claims.claim import ClaimOutcome, Verdict
 from vocalis.studies.paper.run.gather import Gathered, gather
 from vocalis.studies.paper.study import designed
 from vocalis.studies.paper.study.choices import CHOICES, DEFAULT, DESIGNED, Choice, both
@@ -71,7 +71,7 @@ def test_the_study_runs_default_choices_and_pairs_on_coarse_maps(monkeypatch):
 
     def judged(evidence, claims):
         moved = asked[-1][0].vowel != "a" or asked[-1][2] != "spl_lips_db"
-        return {key: Outcome(Verdict.PASS if moved else Verdict.FAIL, (), "") for key in claims}
+        return {key: ClaimOutcome(Verdict.PASS if moved else Verdict.FAIL, (), "") for key in claims}
 
     monkeypatch.setattr(designed, "gather", gathered)
     monkeypatch.setattr(designed, "judge", judged)

@@ -27,11 +27,8 @@ from vfcore.spec.simulation import (
 
 BOXES = [(Activation, "activation."), (PostureOverride, "posture."), (FoldConstants, "constants.")]
 NUMBERS = [
-    (box, prefix, field.name)
-    for box, prefix in BOXES
-    for field in dataclasses.fields(box)
-    if "low" in field.metadata
-]  # fmt: skip
+    (box, prefix, field.name) for box, prefix in BOXES for field in dataclasses.fields(box) if "low" in field.metadata
+]
 NUMBERS += [(Run, "run.", "duration_s"), (Run, "run.", "pressure_rise_s")]
 NUMBERS += [(Simulation, "", "subglottal_pressure_pa"), (Simulation, "", "convergence_angle_rad")]
 

@@ -45,7 +45,7 @@ CT = {"parameter": "activation.ct", "values": [0, 0.5, 1]}
         ({"axes": [CT], "keep_waveforms": True, "precision": "float32"}, "precision"),
         ({"points": [{}] * 501, "keep_waveforms": True}, "keep_waveforms"),
     ],
-)  # fmt: skip
+)
 def test_a_bad_field_is_named_by_its_dotted_path(document, path):
     with pytest.raises(ParameterError) as refusal:
         sweep_from_dict(document)

@@ -1,1 +1,1 @@
-"""What a run is asked: validated values in SI units, their document, schema and address."""
+"""The specification of a run: validated values in SI units, their document, schema and address."""

@@ -1,7 +1,7 @@
 """The address of a result: a hash of what is computed, and of the versions that give it its meaning.
 
-Two requests have one address exactly when they resolve to the same computation. So a computation names no variant and
-no posturing set: it holds the equations they stand for and every constant, overridden or not.
+Two requests have the same address exactly when they resolve to the same computation. A computation therefore names no
+variant and no posturing set: it holds the equations they select and every constant, overridden or not.
 """
 
 import hashlib
@@ -16,7 +16,7 @@ from vfcore.spec.request import values_of
 from vfcore.spec.simulation import Simulation
 from vfcore.version import ADDRESS_VERSION, MODEL_VERSION
 
-#: Names of published choices. What they stand for is in the constants.
+#: Names of published choices, left out because their values are among the constants.
 NAMES_ONLY = ("model.variant", "model.posture_set")
 
 
@@ -30,7 +30,7 @@ class Computation(NamedTuple):
     constants: tuple[float, ...]
 
     def with_numbers(self, numbers: Mapping[str, float]) -> "Computation":
-        """The computation of ``patched``, without making the request: a sweep has one for every point."""
+        """The computation of ``patched``, without building the request: a sweep needs one for every point."""
         settings, constants = dict(self.settings), self.constants
         changed: dict[str, float] = {}
         for path, value in numbers.items():
@@ -46,12 +46,12 @@ class Computation(NamedTuple):
         return Computation(settings, constants)
 
     def address(self, *more: Any) -> str:
-        """Where its result is kept, or what else is asked of it."""
+        """The address of its result; ``more`` says what else it depends on."""
         return content_hash([self.settings, _digest(self.constants), *more])
 
 
 def computation(request: Simulation) -> Computation:
-    """The computation that a request stands for."""
+    """The computation that a request resolves to."""
     settings, constants = {}, []
     for path, value in values_of(request).items():
         if path.startswith(f"{LARYNX}."):
@@ -62,12 +62,12 @@ def computation(request: Simulation) -> Computation:
 
 
 def address(request: Simulation) -> str:
-    """Where the result of a request is kept."""
+    """The address of the result of a request."""
     return computation(request).address()
 
 
 def content_hash(document: Any) -> str:
-    """32 hexadecimal digits for a plain document under this version of the model and of addresses."""
+    """Hash of a plain document, the model version and the address version: 32 hexadecimal digits."""
     versions = [MODEL_VERSION, ADDRESS_VERSION]
     text = json.dumps([*versions, document], sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()[:32]
@@ -75,7 +75,7 @@ def content_hash(document: Any) -> str:
 
 @lru_cache(maxsize=256)
 def _digest(constants: tuple[float, ...]) -> str:
-    """All constants as one: the points of a sweep mostly share them."""
+    """Hash of the constants, cached: most points of a sweep share them."""
     return content_hash(constants)
 
 

@@ -58,13 +58,12 @@ def scaled(function: AreaFunction, scale: float) -> AreaFunction:
 
 
 def resampled(function: AreaFunction, section_length_m: float = SECTION_LENGTH_M) -> AreaFunction:
-    """The same tract in sections of another length, so that one time step can be one section's travel.
+    """The same tract in sections of another length, so that a time step can equal the travel time of a section.
 
-    The number of sections is the tract length over the new section length, rounded. Areas are interpolated
-    linearly between the old section centres, at the new centres' own distance from the glottis (nothing is
-    stretched; half a section beyond the first and last old centre the area is held). Rounding to whole sections
-    changes the length by at most half a new section: /a/ goes from 17.07 to 17.00 cm, and its first four
-    resonances move up by .7, 1.0, .4 and .5 %.
+    The number of sections is the tract length over the new section length, rounded. Areas are interpolated linearly
+    between the old section centres, at the new centres' own distance from the glottis. Nothing is stretched; the area
+    is constant beyond the first and last old centre. Rounding to whole sections changes the length by at most half a
+    new section: /a/ goes from 17.07 to 17.00 cm, and its first four resonances move up by .7, 1.0, .4 and .5 %.
     """
     check_number("section_length_m", section_length_m, *SECTION_LIMITS_M, "m")
     count = round(function.length_m / section_length_m)

@@ -1,4 +1,4 @@
-"""One declaration per number: unit, label, range, source and help travel with the field.
+"""One declaration per number: unit, label, range, source and help are metadata of the field.
 
 The parameter schema, the validator, the command line's help and docs/reference/ all read
 the metadata that ``quantity`` attaches to a dataclass field.
@@ -66,7 +66,7 @@ def flag(default: bool, label: str, *, source: str, help: str = "") -> Any:
 
 
 def part(kind: type, *, optional: bool = False) -> Any:
-    """A field that is an object of a request, itself a dataclass of declared fields.
+    """A field that is an object of a request: a dataclass of declared fields.
 
     ``optional``: the object may be null, and is null by default. Everything that reads requests (paths, documents,
     addresses, schema, the server's bodies) follows this declaration.
@@ -81,12 +81,12 @@ def validate(instance: Any, prefix: str = "") -> None:
     kind: Any = type(instance)
     for name, low, high, spec in _declared(kind):
         value = getattr(instance, name)
-        if type(value) is float and low <= value <= high:  # what nearly every value is: not NaN, and in range
+        if type(value) is float and low <= value <= high:  # the usual case: not NaN, and in range
             continue
         if value is None and spec.default is None:
             continue
         check_value(f"{prefix}{name}", value, spec.metadata)
-        if spec.metadata["type"] == "integer" and type(value) is not int:  # JSON does not tell 20.0 from 20
+        if spec.metadata["type"] == "integer" and type(value) is not int:  # JSON does not distinguish 20.0 from 20
             object.__setattr__(instance, name, int(value))
 
 
@@ -105,7 +105,7 @@ def check_value(path: str, value: Any, metadata: Mapping[str, Any]) -> None:
 
 @cache
 def _declared(kind: Any) -> tuple[tuple[str, float, float, dataclasses.Field], ...]:
-    """Name, range and declaration of the fields to check; the range of all but floats is empty."""
+    """Name, range and declaration of the fields to check; only floats have a range."""
     found = []
     for spec in dataclasses.fields(kind):
         if "type" in spec.metadata:
@@ -118,7 +118,7 @@ def _declared(kind: Any) -> tuple[tuple[str, float, float, dataclasses.Field], .
 def check_number(path: str, value: Any, low: float, high: float, unit: str = "", integer: bool = False) -> None:
     """Raise ParameterError unless ``value`` is a finite number in [low, high]."""
     if type(value) is float and low <= value <= high and not integer:
-        return  # nearly always; a hundred of them stand in every request
+        return  # the usual case; every request has a hundred of them
     unit_text = f" {unit}" if unit and unit != "1" else ""
     allowed = f"{low:g} to {high:g}{unit_text}"
     if not is_number(value):
@@ -133,5 +133,5 @@ def check_number(path: str, value: Any, low: float, high: float, unit: str = "",
 
 
 def is_number(value: Any) -> bool:
-    """Whether a value is a real number; true and false are none."""
+    """Whether a value is a real number; true and false are not."""
     return isinstance(value, Real) and not isinstance(value, bool)

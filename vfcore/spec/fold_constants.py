@@ -1,7 +1,7 @@
 """The constants of the vocal fold, as the paper's tables print them.
 
-Default subject: the adult male larynx of the paper. Each field keeps its source; any of
-them can be overridden by its name. The posturing tables live in vfcore/spec/posture_sets.py.
+Default subject: the adult male larynx of the paper. Each field has its source, and can be overridden by its name. The
+posturing tables live in vfcore/spec/posture_sets.py.
 """
 
 from dataclasses import dataclass
@@ -95,7 +95,7 @@ class FoldConstants:
         "rest angle at the anterior commissure",
         -0.5,
         1.0,
-        source="not printed in the paper; an earlier version of the model has 0.2540 rad, "
+        source="not printed in the paper; an earlier version of the model used 0.2540 rad,  "
         "close to the half-angle at zero activation (0.239 rad)",
         symbol="θ_0",
     )

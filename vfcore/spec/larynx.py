@@ -1,8 +1,8 @@
 """A larynx: everything a subject is made of, as one record of numbers that a request can change by name.
 
-Four tables belong to it: the vibrating fold, the joints and muscles that posture it, and the airways around it. Each
-has its own dataclass with unit, range and source per number; here they share one set of names, which are the names
-under ``constants`` in a request.
+It has four tables: the vibrating fold, the joints and muscles that posture it, and the airways around it. Each is a
+dataclass with unit, range and source per number. Here they share one set of names, those under ``constants`` in a
+request.
 """
 
 import dataclasses
@@ -26,7 +26,7 @@ class AirwayConstants:
     airway_scale: float = quantity(
         1.0, "1", "size of both airways", 0.5, 1.5, symbol="s_a", step=0.01,
         source="1: the published male airways (Story 2008; Zañartu et al. 2007)",
-        help="all lengths and diameters over those of the published ones",
+        help="all lengths and diameters, relative to the published ones",
     )  # fmt: skip
 
     def __post_init__(self):
@@ -59,7 +59,7 @@ class Larynx:
         return fold | {name: self.posturing.value(name) for name in _NAMES["posturing"]} | airways
 
     def override(self, changes: Mapping[str, float]) -> "Larynx":
-        """This larynx with some constants replaced at once, so that only the outcome has to be consistent."""
+        """This larynx with constants replaced together, so that only the result has to be consistent."""
         if not changes:
             return self
         by_table: dict[str, dict[str, float]] = {}
@@ -68,7 +68,7 @@ class Larynx:
                 raise ParameterError(f"constants.{name}", "is not a constant of the model", KNOWN_CONSTANTS)
             by_table.setdefault(CONSTANTS[name].table, {})[name] = value
         posturing = self.posturing.override_all(by_table.pop("posturing", {}))
-        tables = {table: replace(getattr(self, table), **some) for table, some in by_table.items()}
+        tables = {table: replace(getattr(self, table), **values) for table, values in by_table.items()}
         return replace(self, posturing=posturing, **tables)
 
 
@@ -82,7 +82,7 @@ def _constants() -> Mapping[str, Constant]:
     return MappingProxyType(found)
 
 
-#: Every constant of a larynx by the name it has in a request.
+#: Every constant of a larynx by its name in a request.
 CONSTANTS = _constants()
 _NAMES = {
     table: tuple(name for name, constant in CONSTANTS.items() if constant.table == table)

@@ -13,7 +13,7 @@ class Muscle:
     """One force of the posturing model: F = A (σ_passive(ε) + a σ_max max(0, 1 − b (ε − ε_m)²)).
 
     σ_passive = −(σ_0/ε_1)(ε − ε_1), plus σ_2 (e^{B(ε − ε_2)} − 1 − B (ε − ε_2)) above ε_2; 0 below ε_1.
-    The ligament and the mucosa are rows too, with σ_max = 0. Validated by ``PosturingConstants``.
+    The ligament and the mucosa are rows with σ_max = 0. Validated by ``PosturingConstants``.
     """
 
     rest_length_m: float = quantity(MISSING, "m", "resting length", 3e-3, 5e-2, source=_GEOMETRY, symbol="L_0,i")

@@ -1,4 +1,4 @@
-"""Everything a request may set, by its dotted path: read off the dataclasses that hold and validate the values.
+"""Every value that a request may set, by dotted path, read from the dataclasses that hold and validate the values.
 
 A field added to one of them, or an optional part added to ``Simulation``, appears here, and through this module in
 documents, patches, addresses, the schema, the command line, the server's bodies and the page.
@@ -13,7 +13,7 @@ from vfcore.spec.fields import check_value
 from vfcore.spec.larynx import CONSTANTS, Larynx, larynx_of
 from vfcore.spec.simulation import Model, Simulation
 
-#: The part of a request whose numbers belong to the larynx.
+#: The part of a request that holds the constants of the larynx.
 LARYNX = "constants"
 
 
@@ -41,7 +41,7 @@ class Declaration(NamedTuple):
 
 
 def declarations_of(kind: type) -> dict[str, Declaration]:
-    """Every value of a request class by path, in the order of its fields; constants of the larynx last."""
+    """Every value of a request class by path, in the order of its fields, constants of the larynx last."""
     return {row.path: row for row in _walk(kind)}
 
 
@@ -60,7 +60,7 @@ def _walk(kind: type) -> Iterator[Declaration]:
 
 
 def parts_of(kind: type) -> dict[str, type]:
-    """The objects of a request class by name, the larynx's constants left out."""
+    """The objects of a request class by name, without the constants of the larynx."""
     return {spec.name: spec.metadata["part"] for spec in dataclasses.fields(kind) if "part" in spec.metadata}
 
 
@@ -73,7 +73,7 @@ NUMBERS = tuple(row.path for row in DECLARATIONS.values() if row.is_number)
 
 
 def value_at(request: Simulation, path: str) -> Any:
-    """The value in force at a path; None for a value of an optional part that is not given."""
+    """The value at a path; None if it belongs to an optional part that is not given."""
     row = DECLARATIONS[path]
     if row.part == LARYNX:
         return request.larynx.value(row.name)
@@ -84,7 +84,7 @@ def value_at(request: Simulation, path: str) -> Any:
 
 
 def part_of(request: Simulation, name: str) -> Any:
-    """One object of a request; the larynx for its constants."""
+    """One object of a request; for ``constants``, the larynx."""
     return request.larynx if name == LARYNX else getattr(request, name)
 
 
@@ -104,17 +104,18 @@ def _differ(one: Any, other: Any) -> bool:
 
 
 def number_of(path: Any, at: str) -> str:
-    """``path`` where it is that of a number; ParameterError at the place ``at`` otherwise."""
+    """``path`` if it is the path of a number; otherwise ParameterError at ``at``."""
     if not isinstance(path, str) or path not in DECLARATIONS or not DECLARATIONS[path].is_number:
         raise ParameterError(
-            at, f"{path!r} is not a number of a request" if isinstance(path, str) else "is not the name of a number",
+            at,
+            f"{path!r} is not a number of a request" if isinstance(path, str) else "is not the name of a number",
             "a dotted path such as activation.ct, subglottal_pressure_pa or constants.K_col_pa_m",
-        )  # fmt: skip
+        )
     return path
 
 
 def value_for(path: str, value: Any, at: str) -> Any:
-    """``value`` in the one form it has at ``path``; ParameterError at the place ``at`` where it is not allowed."""
+    """``value`` in its canonical form at ``path``; ParameterError at ``at`` if it is not allowed."""
     row = DECLARATIONS[path]
     if value is not None or row.default is not None:
         check_value(at, value, row.metadata)
@@ -122,7 +123,7 @@ def value_for(path: str, value: Any, at: str) -> Any:
 
 
 def one_form(row: Declaration, value: Any) -> Any:
-    """Equal values as one and the same: integers whole, other numbers as floats, without a negative zero."""
+    """The canonical form of a value: whole numbers as int, other numbers as float, no negative zero."""
     if value is None or not row.is_number:
         return value
     return int(value) if row.is_whole else float(value) + 0.0

@@ -1,4 +1,4 @@
-"""The published sets of posturing constants, one literal each, and how one of their numbers is overridden by name.
+"""The published sets of posturing constants, one literal each, and overrides by name.
 
 Geometry (length, section, direction cosines, moment arm, active width) and joints are common to the published sets;
 the stress laws differ. A set may change any of them. Sources: Titze & Hunter (2007), JASA 121(4):2254–2260, and those
@@ -18,7 +18,7 @@ from vfcore.spec.muscles import Muscle
 
 
 class Geometry(NamedTuple):
-    """Where a force acts, and at what strain it is largest; fields as in ``Muscle``."""
+    """Geometry of a force, and the strain where it is largest; fields as in ``Muscle``."""
 
     rest_length_m: float
     cross_section_m2: float
@@ -49,12 +49,12 @@ GEOMETRY = {
     "ta": Geometry(0.0173, 4.09e-5, 0.2, 1.07, 0.015, 0.99, 0.0008),
     "lig": Geometry(0.0173, 6.1e-6, 1.0, 1.0, 0.0, 0.0, 0.0),
     "muc": Geometry(0.0173, 5e-6, 1.0, 1.0, 0.0, 0.0, 0.0),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True, slots=True)
 class PostureSet:
-    """One published set. ``joints``: constants of the joints that differ from the common ones, by name."""
+    """One published set. ``joints``: the joint constants that differ from the common ones, by name."""
 
     source: str
     stresses: Mapping[str, StressLaw]
@@ -71,11 +71,11 @@ _ALZAMENDI = {
     "ta": StressLaw(1000.0, 1500.0, -0.5, -0.05, 6.5, 1.5e5),
     "lig": StressLaw(500.0, 1400.0, -0.5, -0.3, 13.0, 0.0),
     "muc": StressLaw(500.0, 20000.0, -0.5, -0.3, 4.4, 0.0),
-}  # fmt: skip
-#: The default comes first. ``serry2026``: the paper's own table for mucosa, ligament and TA, the other muscles as in
-#: ``alzamendi2020``. The paper says only that it tuned the constants of Alzamendi et al. (2022); which values its
-#: posturing uses is known by secondary evidence: TA with ε_m = 0.4, b = 1.07, σ_max = 100 kPa, while the table of the
-#: vibrating fold prints ε_m,ta = 0.3 and α_2,ta = 1.
+}
+#: The first is the default. ``serry2026``: the paper's own table for mucosa, ligament and TA, the other muscles as in
+#: ``alzamendi2020``. The paper says only that it tuned the constants of Alzamendi et al. (2022). The values of its
+#: posturing are known from secondary evidence: TA with ε_m = 0.4, b = 1.07, σ_max = 100 kPa. Its table of the vibrating
+#: fold has ε_m,ta = 0.3 and α_2,ta = 1.
 POSTURE_SETS: Mapping[str, PostureSet] = {
     "serry2026": PostureSet(
         source=f"{PAPER}, table of constitutive parameters; other muscles: Alzamendi et al. (2022)",
@@ -115,11 +115,11 @@ POSTURE_SETS: Mapping[str, PostureSet] = {
             "muc": StressLaw(200.0, 1500.0, -0.9, -0.2, 6.5, 0.0),
         },
     ),
-}  # fmt: skip
+}
 
 # Field of PosturingConstants -> prefix of its override names.
 _PREFIX = {"lca": "LCA_", "ia": "IA_", "pca": "PCA_", "ct": "CT_", "ta": "TA_", "lig": "lig_", "muc": "muc_"}
-# Columns of the tables that no equation reads: overriding one would promise an effect it has not.
+# Columns that no equation reads: an override would have no effect.
 _UNUSED_PASSIVE = ("rest_length_m", "strain_at_max_active_stress", "active_width_b", "sigma_max_active_pa")
 _UNUSED = {"lig": _UNUSED_PASSIVE, "muc": _UNUSED_PASSIVE, "ta": ("rest_length_m",), "ct": ("gamma_m",)}
 
@@ -128,7 +128,7 @@ _UNUSED = {"lig": _UNUSED_PASSIVE, "muc": _UNUSED_PASSIVE, "ta": ("rest_length_m
 class PosturingConstants(JointConstants):
     """One complete set: five muscles, two passive tissues, two joints. SI throughout.
 
-    ``set_name`` is the published set it started from, ``source`` where its stress laws come from.
+    ``set_name``: the published set it started from; ``source``: the source of its stress laws.
     Raises ParameterError("constants.<name>", ...) for a number out of range.
     """
 
@@ -170,7 +170,7 @@ class PosturingConstants(JointConstants):
         return self.override_all({name: value})
 
     def override_all(self, values: Mapping[str, float]) -> "PosturingConstants":
-        """This set with several constants replaced at once, so that only the outcome has to be consistent.
+        """This set with constants replaced together, so that only the result has to be consistent.
 
         Raises ParameterError("constants.<name>", ...) for an unknown name or a value out of range.
         """

@@ -1,4 +1,4 @@
-"""Voices to start from: a name, one sentence of what to look for, and the request that makes it."""
+"""Presets: voices to start from, each with a name, a sentence on what to look for, and a request."""
 
 from typing import Any, NamedTuple
 

@@ -1,8 +1,8 @@
-"""Requests as patches and as documents, and the one place that resolves them.
+"""Requests as patches and as documents, and the only place that resolves them.
 
-A *patch* maps dotted paths to values: ``{"activation.ct": 0.5, "model.variant": "human"}``. It says what is asked for
-beyond its base, the larynx and the equations of a model variant. ``resolve`` turns a patch, or the same as a nested
-document, into a ``Simulation``, in which nothing is left to a default. ``document`` and ``patch`` go back.
+A *patch* maps dotted paths to values: ``{"activation.ct": 0.5, "model.variant": "human"}``. It holds the changes to its
+base, the larynx and the equations of a model variant. ``resolve`` turns a patch, or the same as a nested document, into
+a ``Simulation``, in which every value is explicit. ``document_of`` and ``patch_of`` are the inverse.
 """
 
 import dataclasses
@@ -20,7 +20,7 @@ _AN_OBJECT = "an object with named fields"
 
 
 def resolve(asked: Mapping[str, Any] = MappingProxyType({})) -> Simulation:
-    """The request that a patch or a request document stands for; the paper's modal case where it says nothing.
+    """The request of a patch or a request document; values not given are those of the paper's modal case.
 
     Raises ParameterError with the path of the first value that cannot be used.
     """
@@ -28,9 +28,9 @@ def resolve(asked: Mapping[str, Any] = MappingProxyType({})) -> Simulation:
 
 
 def flat(asked: Any, at: str = "request") -> dict[str, Any]:
-    """A patch from a patch or a document, which may be mixed; values are checked for their place, not their range.
+    """A patch from a patch, a document or a mixture; paths are checked, ranges are not.
 
-    An optional part that is null stays as ``{"posture": None}``. Raises ParameterError for an unknown field, for null
+    An optional part that is null becomes ``{"posture": None}``. Raises ParameterError for an unknown field, for null
     in place of an object, and for a value that is given twice.
     """
     patch: dict[str, Any] = {}
@@ -45,7 +45,7 @@ def flat(asked: Any, at: str = "request") -> dict[str, Any]:
 
 
 def nested(patch: Mapping[str, Any]) -> dict[str, Any]:
-    """The document of a patch: an object for each part."""
+    """The document of a patch, with an object for each part."""
     document: dict[str, Any] = {}
     for path, value in patch.items():
         part, _, name = path.rpartition(".")
@@ -54,9 +54,9 @@ def nested(patch: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def patched(request: Simulation, patch: Mapping[str, Any]) -> Simulation:
-    """``request`` with the values of a patch; ParameterError where they cannot be used together.
+    """``request`` with the values of a patch; ParameterError where they are inconsistent.
 
-    A change of the model begins again from its variant, with all else that ``request`` says beyond its own.
+    A patch of the model starts again from the variant it names, and keeps what ``request`` changes in its own variant.
     """
     by_part: dict[str, dict[str, Any]] = {}
     for path, value in patch.items():
@@ -77,7 +77,7 @@ def patched(request: Simulation, patch: Mapping[str, Any]) -> Simulation:
 
 
 def patch_of(request: Simulation) -> dict[str, Any]:
-    """The shortest patch that resolves to a request: what differs from its variant, and that variant's name."""
+    """The shortest patch that resolves to a request: the name of its variant, and the values that differ from it."""
     base = _base(request.model.variant)
     patch = {} if request.model.variant == Model().variant else {"model.variant": request.model.variant}
     if request.model.posture_set != base.model.posture_set:
@@ -97,7 +97,7 @@ _PATHS = {part: tuple(row.path for row in DECLARATIONS.values() if row.part == p
 
 
 def values_of(request: Simulation) -> dict[str, Any]:
-    """Every value in force by path, constants included; ``{"posture": None}`` for an optional part not given."""
+    """Every value by path, constants included; ``{"posture": None}`` for an optional part that is not given."""
     values: dict[str, Any] = {}
     for path, row in DECLARATIONS.items():
         if row.part == LARYNX:
@@ -110,9 +110,9 @@ def values_of(request: Simulation) -> dict[str, Any]:
 
 
 def document_of(request: Simulation) -> dict[str, Any]:
-    """The complete request document: every field, and of the constants those that differ from the variant's.
+    """The complete request document: every field, and the constants that differ from the variant's.
 
-    Every number has one form, so that equal requests are equal documents.
+    Numbers are in canonical form, so equal requests give equal documents.
     """
     own = larynx_of(request.model.variant, request.model.posture_set)
     values = {path: value for path, value in values_of(request).items() if not path.startswith(f"{LARYNX}.")}
@@ -153,7 +153,7 @@ def _leaves(document: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
             yield key, None
         elif key in NAMES_IN and key:
             inside = _object(value, key)
-            if not inside and key in OPTIONAL_PARTS:  # given, with the value of every field left to its default
+            if not inside and key in OPTIONAL_PARTS:  # given, with every field at its default
                 inside = {name: DECLARATIONS[f"{key}.{name}"].default for name in NAMES_IN[key]}
             for name, inner in inside.items():
                 if name not in NAMES_IN[key]:

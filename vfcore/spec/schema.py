@@ -1,6 +1,6 @@
-"""Every parameter a request may set, as rows for sliders, help texts, tables and docs.
+"""Every parameter of a request, as rows for sliders, help texts, tables and docs.
 
-The rows are read off the dataclasses that hold and validate the values, so a field added there appears everywhere.
+The rows are read from the dataclasses that hold and validate the values, so a field added there appears everywhere.
 """
 
 import dataclasses
@@ -19,7 +19,7 @@ MUSCLES, BREATH, TRACT, MODEL, POSTURE, RUN = "muscles", "breath", "tract", "mod
 FOLD_CONSTANTS, POSTURING_CONSTANTS = "constants", "posturing constants"
 
 _GROUP_OF_PART = {"activation": MUSCLES, "model": MODEL, "posture": POSTURE, "run": RUN}
-#: In the order of display. A part that is named nowhere here is a group of its own name.
+#: In the order of display. A part not named here is a group with its own name.
 GROUPS = (
     *(MUSCLES, BREATH, TRACT, MODEL, POSTURE, RUN),
     *(part for part in PARTS if part not in _GROUP_OF_PART),
@@ -45,7 +45,7 @@ def parameter_schema() -> list[dict[str, Any]]:
 
 
 def parameter_catalogue() -> dict[str, Any]:
-    """What a client needs to offer the parameters: rows, groups, presets, vowels and model variants."""
+    """What a client needs to display the parameters: rows, groups, presets, vowels and model variants."""
     return {
         "parameters": parameter_schema(),
         "groups": list(GROUPS),
@@ -89,7 +89,7 @@ def _group(declaration: Declaration) -> str:
 
 
 def sensible_step(default: float | None, low: float, high: float) -> float:
-    """A 1-2-5 number near 1 % of the default (of the range where there is none): the step of an undeclared slider."""
+    """A 1-2-5 number near 1 % of the default, or of the range without a default: the step if none is declared."""
     size = abs(default) if default else high - low
     exponent = math.floor(math.log10(size / 100))
     mantissa = size / 100 / 10.0**exponent

@@ -1,7 +1,6 @@
-"""What a run is asked to do: frozen dataclasses in SI units, validated when made.
+"""The request of a run: frozen dataclasses in SI units, validated on creation.
 
-The defaults are the paper's modal case. Names are those of the JSON request, so a
-``Simulation`` and a request document say the same thing field by field.
+The defaults are the paper's modal case. Field names are those of the JSON request document.
 """
 
 from dataclasses import dataclass, field
@@ -52,7 +51,7 @@ class Activation:
 
 @dataclass(frozen=True, slots=True)
 class PostureOverride:
-    """A posture given directly, without muscles (the posturing equations are skipped)."""
+    """A posture given directly, without muscles: the posturing equations are skipped."""
 
     strain: float = quantity(0.0, "1", "nominal strain", -0.45, 0.6, symbol="ε̄", source="given by the user", step=0.005)
     glottal_half_angle_rad: float = quantity(
@@ -74,15 +73,15 @@ _NUMERICS = "numerical choice of this implementation"
 COUPLING_GRADIENTS = ("inferior_stiff", "superior_stiff")
 SHEAR_FORMS = ("kelvin_voigt", "rotation")
 COUPLINGS = ("one_way", "two_way")
-#: Choices that a variant makes unless the request names them.
+#: Choices that the variant makes if the request does not.
 BROUGHT_BY_VARIANT = ("posture_set", "coupling_gradient", "shear", "coupling")
 
 
 @dataclass(frozen=True, slots=True)
 class Model:
-    """Which equations: a variant, and overrides of what it stands for.
+    """The equations: a variant, and overrides of its choices.
 
-    None takes the variant's own choice when the value is made, so that no field of a Model is ever None.
+    None is replaced by the variant's own choice on creation, so no field of a Model is None.
     """
 
     variant: str = choice("paper", "model variant", tuple(VARIANTS), source="docs/model/choices.md")
@@ -115,7 +114,7 @@ class Model:
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """How the equations are advanced."""
+    """Numerical settings of the run."""
 
     duration_s: float = quantity(1.0, "s", "simulated time", 0.02, 60, source=f"{PAPER}, Simulation setup", step=0.1)
     nx: int = quantity(
@@ -131,7 +130,7 @@ class Run:
         help=f"null: chosen for the grid and the posture; the paper's is {PAPER_STEP_S!r}",
     )  # fmt: skip
     start: str = choice(
-        "flat", "initial state", ("flat", "static"), source="an earlier version of the model starts flat",
+        "flat", "initial state", ("flat", "static"), source="an earlier version of the model started flat",
         help="flat: a 1e-9 m bump; static: the shape at zero pressure",
     )  # fmt: skip
     pressure_rise_s: float = quantity(
@@ -140,25 +139,27 @@ class Run:
     )  # fmt: skip
 
     error_estimate: bool = flag(
-        False, "error bars of the measures", source="docs/model/numerics.md",
-        help="two more runs on finer grids say how far each measure is from the limit of a fine grid; about 12 times "
+        False,
+        "error bars of the measures",
+        source="docs/model/numerics.md",
+        help="two more runs on finer grids estimate how far each measure is from its fine-grid limit; about 12 times  "
         "the work",
-    )  # fmt: skip
+    )
 
     def __post_init__(self):
         validate(self, "run.")
 
     @property
     def step_s(self) -> float:
-        """The time step in force, s."""
+        """The time step, s."""
         return DEFAULT_STEP_S if self.time_step_s is None else float(self.time_step_s)
 
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """One run, with nothing left to a default; every field has the value of the paper's modal case unless given.
+    """One complete request; fields not given have the values of the paper's modal case.
 
-    ``larynx``: None takes that of the model's variant and posturing set when the value is made.
+    ``larynx``: None is replaced by that of the model's variant and posturing set on creation.
     """
 
     activation: Activation = part(Activation)
@@ -175,7 +176,7 @@ class Simulation:
     model: Model = part(Model)
     posture: PostureOverride | None = part(PostureOverride, optional=True)
     run: Run = part(Run)
-    larynx: Larynx = field(default=None)  # type: ignore[assignment]  # filled in when the value is made
+    larynx: Larynx = field(default=None)  # type: ignore[assignment]  # replaced on creation
 
     def __post_init__(self):
         validate(self)
@@ -183,23 +184,25 @@ class Simulation:
             object.__setattr__(self, "larynx", larynx_of(self.model.variant, self.model.posture_set))
         if self.run.pressure_rise_s > self.run.duration_s:
             raise ParameterError(
-                "run.pressure_rise_s", f"{self.run.pressure_rise_s:g} is longer than the run",
+                "run.pressure_rise_s",
+                f"{self.run.pressure_rise_s:g} is longer than the run",
                 f"0 to run.duration_s = {self.run.duration_s:g} s",
-            )  # fmt: skip
+            )
 
     @property
     def constants(self) -> FoldConstants:
-        """Those of the vibrating fold."""
+        """The constants of the vibrating fold."""
         return self.larynx.fold
 
     @property
     def posturing(self) -> PosturingConstants:
-        """Those of joints and muscles."""
+        """The constants of joints and muscles."""
         return self.larynx.posturing
 
     def with_activation(self, activation: Activation) -> "Simulation":
-        """The same with other muscles. What stays was checked when it was made: a voice that moves asks for a hundred
-        a second, and ``dataclasses.replace`` takes ten times as long."""
+        """The same request with other muscles. Without renewed checks, since all else is unchanged: a moving voice
+        needs a hundred a second, and ``dataclasses.replace`` takes ten times as long.
+        """
         moved = object.__new__(Simulation)
         for name in Simulation.__slots__:
             object.__setattr__(moved, name, getattr(self, name))

@@ -1,10 +1,9 @@
 """Named variants of the model: which equations, which posturing, and which constants differ from the paper's.
 
-``human`` and ``human_female`` change constants and the coupling only. The values of ``human`` are those that the
-calibration study of vocalis.studies.norms finds and adopts by its rule (docs/human.md, section 4): thirteen of fifteen
-published norms of men met, and no shape or map of the paper worse than its own constants show under the same coupling.
-``human_female`` is
-scaled from it and calibrated against nothing.
+``human`` and ``human_female`` change constants and the coupling only. The values of ``human`` come from the calibration
+study of vocalis.studies.norms (docs/human.md, section 4): they meet thirteen of fifteen published norms of men, and
+reproduce no shape or map of the paper worse than the paper's own constants do with the same coupling. ``human_female``
+is scaled from ``human`` and is not calibrated.
 """
 
 from collections.abc import Mapping
@@ -15,7 +14,7 @@ from vfcore.spec.fold_constants import FoldConstants
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """One constant of the larynx that a variant replaces: its name, the value, and the reason for it."""
+    """One constant of the larynx that a variant replaces: name, value and reason."""
 
     name: str
     value: float
@@ -24,9 +23,9 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class ModelVariant:
-    """What a variant stands for: a posturing set, equations, and constants of the larynx that differ from the paper's.
+    """One variant: a posturing set, equations, and the constants of the larynx that differ from the paper's.
 
-    ``coupling``: the source–tract coupling it was made for, which a request gets unless it names another.
+    ``coupling``: the source–tract coupling it was made for, the default of a request with this variant.
     """
 
     posture_set: str
@@ -49,8 +48,8 @@ _SHEAR = (
 _HUMAN = (
     Change(
         "C_coup_pa_s_m", 36.0,
-        "3.6 times the paper's, with which the opening grows beyond any larynx. Not measured directly; with the shear "
-        "viscosity it sets the damping ratios of the mucosa, of which 0.1 to 0.4 are used after measurements on folds "
+        "3.6 times the paper's value, which lets the opening grow beyond any larynx. Not measured directly; with the "
+        "shear viscosity it sets the damping ratios of the mucosa; models use 0.1 to 0.4, after measurements on folds "
         "and larynges (Ishizaka & Flanagan 1972; Titze & Story 2002).",
     ),
     Change(
@@ -60,32 +59,32 @@ _HUMAN = (
     ),
     Change(
         "K_coup_min_pa_m", 9.6e4,
-        "Nearly twice the paper's, with which 1 kPa moves the soft edge by 20 mm; now by 10 mm. Not measured directly; "
-        "held by the norms of area, flow and f_o.",
+        "Nearly twice the paper's value, which lets 1 kPa move the soft edge by 20 mm; now 10 mm. Not measured "
+        "directly; constrained by the norms of area, flow and f_o.",
     ),
     Change(
         "K_coup_max_pa_m", 1.1e6,
-        "2.2 times the paper's. A layer of 1.4 mm with a modulus of 1 kPa across the fold (Alipour & Vigmostad 2012) "
-        "would have 6.9e5 Pa/m, between the edges. Not measured directly.",
+        "2.2 times the paper's value. A layer of 1.4 mm with a modulus of 1 kPa across the fold (Alipour & Vigmostad "
+        "2012) would have 6.9e5 Pa/m, between the values of the two edges. Not measured directly.",
     ),
     Change(
         "K_col_pa_m", 1.2e6,
-        "A little stiffer than the paper's, so that the folds pass through each other less; the firmer they touch, "
-        "the more f_o rises with what presses them together, TA above all. Held by the norm of contact pressure.",
+        "A little stiffer than the paper's, so that the folds interpenetrate less; the stiffer the contact, "
+        "the more f_o rises with medial compression, above all by TA. Constrained by the norm of contact pressure.",
     ),
-    Change("C_col_pa_s_m", 110.0, "As the contact stiffness: their ratio, 0.09 ms, is nearly the paper's."),
-    Change("G_m_pa", 25.0, f"{_SHEAR} Held by the paper's trends."),
-    Change("eta_m_pa_s", 0.35, f"{_SHEAR} Held by the paper's trends."),
+    Change("C_col_pa_s_m", 110.0, "Scaled with the contact stiffness: their ratio, 0.09 ms, is nearly the paper's."),
+    Change("G_m_pa", 25.0, f"{_SHEAR} Constrained by the paper's trends."),
+    Change("eta_m_pa_s", 0.35, f"{_SHEAR} Constrained by the paper's trends."),
     Change(
         "sigma_2_muc_pa", 1600.0,
-        "Its slope at rest length becomes 50 kPa instead of 32; measured in the lamina propria are some 30 kPa at low "
-        "strain and 10 to 15 times that at high strain (Alipour & Vigmostad 2012). The more f_o depends on "
+        "Its slope at rest length is 50 kPa instead of 32; measurements in the lamina propria give about 30 kPa at low "
+        "strain and 10 to 15 times as much at high strain (Alipour & Vigmostad 2012). The more f_o depends on "
         "the length, the more TA, which shortens the folds, lowers it.",
     ),
     Change(
         "K_r_a_n_m", 0.025,
-        "A quarter more than the paper's. Not measured. The stiffer the folds are held in front, the less TA bulges "
-        "them against each other, and the less contact raises f_o.",
+        "A quarter more than the paper's. Not measured. The stiffer the anterior attachment, the less TA bulges "
+        "the folds against each other, and the less contact raises f_o.",
     ),
 )  # fmt: skip
 LENGTH_RATIO, SIZE_RATIO, AIRWAY_RATIO = 1.6, 1.2, 1.2  # men over women, Titze (1989b); airways: Fitch & Giedd (1999)
@@ -117,7 +116,7 @@ VARIANTS = {
     "human": ModelVariant(
         "serry2026", "inferior_stiff", "kelvin_voigt", "two_way",
         "Adult man: the paper's equations, ten constants set so that flow, pitch and level are of human size; the "
-        "paper's shapes and maps stay. Brings coupling two_way.",
+        "paper's shapes and maps are kept. Default coupling: two_way.",
         _HUMAN,
     ),
     "human_female": ModelVariant(

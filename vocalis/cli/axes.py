@@ -1,4 +1,4 @@
-"""A sweep from what the command line says: axes as texts, or a document in a file."""
+"""The sweep of a command line: axes as text, or a document in a file."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -13,21 +13,21 @@ from vfcore.spec.simulation import Simulation
 from vocalis.cli.options import number_or_text
 from vocalis.cli.requests import read_document
 
-_ALLOWED = "PATH=FIRST:LAST:COUNT or PATH=V1,V2,…; PATH,PATH=… ties several"
+_ALLOWED = "PATH=FIRST:LAST:COUNT or PATH=V1,V2,…; PATH,PATH=… for tied parameters"
 _MOST_OF_A_RANGE = 10**7
 
 
 def sweep_of(
     base: Simulation, path: str | None, axes: Sequence[str], measures: str | None, precision: str | None
 ) -> Sweep:
-    """The sweep of a document file, or of axes over ``base``; ParameterError for what cannot be used."""
+    """The sweep of a document file, or of axes over ``base``; ParameterError for invalid input."""
     if (path is None) == (not axes):
-        raise ParameterError("--axis", "is missing" if path is None else "and --sweep are both given", _ALLOWED)
+        raise ParameterError("--axis", "is missing" if path is None else "excludes --sweep", _ALLOWED)
     document: dict[str, Any]
     if path is None:
         document = {"kind": "sweep", "base": document_of(base), "axes": [axis(text) for text in axes]}
     elif base != Simulation():
-        raise ParameterError("--sweep", "and options of the base are both given", "the base inside the document")
+        raise ParameterError("--sweep", "excludes options of the base", "the base inside the document")
     else:
         document = read_document("--sweep", path)
     if measures is not None:
@@ -42,7 +42,7 @@ def axis(text: str) -> dict[str, Any]:
     paths, separator, values = text.partition("=")
     names = [name.strip() for name in paths.split(",") if name.strip()]
     if not separator or not names or not values.strip():
-        raise ParameterError("--axis", f"{text!r} is no axis", _ALLOWED)
+        raise ParameterError("--axis", f"{text!r} is not an axis", _ALLOWED)
     return {"parameter": names[0] if len(names) == 1 else names, "values": _values(text, values)}
 
 
@@ -50,10 +50,11 @@ def _values(text: str, values: str) -> list[Any]:
     if ":" not in values:
         return [number_or_text(value.strip()) for value in values.split(",")]
     parts = [number_or_text(part.strip()) for part in values.split(":")]
-    if len(parts) != 3 or any(isinstance(part, str) for part in parts):
-        raise ParameterError("--axis", f"{text!r} is no range", _ALLOWED)
-    first, last, count = parts
+    numbers = [part for part in parts if isinstance(part, int | float)]
+    if not len(parts) == len(numbers) == 3:
+        raise ParameterError("--axis", f"{text!r} is not a range", _ALLOWED)
+    first, last, count = numbers
     if not isinstance(count, int) or not 1 <= count <= _MOST_OF_A_RANGE:
-        raise ParameterError("--axis", f"{text!r} has no usable count", "a whole number of values, 1 or more")
-    # Rounded to what a person would write: 0.15, not 0.15000000000000002.
+        raise ParameterError("--axis", f"{text!r} has no valid count", "a whole number of values, 1 or more")
+    # Rounded to 0.15, not 0.15000000000000002.
     return [float(f"{value:.12g}") for value in np.linspace(first, last, count)]

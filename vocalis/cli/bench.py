@@ -1,28 +1,28 @@
-"""`vocalis bench`: what the modal voice costs on this machine."""
+"""`vocalis bench`: the cost of the modal voice on this machine."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
-from rich.table import Table
 
 from vfcore.io.result_document import json_text
 from vocalis.bench import history
 from vocalis.bench.suite import Row, machine_description, run
 from vocalis.bench.work import costs
+from vocalis.cli.tables import frameless_table
 
 HELP = """
 {summary}
 
-Times are medians over interleaved rounds, after one that does not count, beside the quickest turn, which is what the
-machine does while nobody else wants it: posture, static shape, the compiled loop at its own and at the paper's step, a
-plain loop for comparison, request to stored file, answers through HTTP and maps from request to table, memory,
-compilation. Operations and bytes a step are counted by running the loop's source on numbers that count; the best that
-this core can do is measured by two small loops.
+Times are medians over interleaved rounds after a warm-up round, and the quickest round, which is the time without
+contention. Timed are posture, static shape, the compiled loop at its own and at the paper's step, a plain loop for
+comparison, request to stored file, answers over HTTP and maps from request to table. Memory and compilation time are
+measured as well. Operations and bytes per step are counted by running the source of the loop on counting numbers; two
+small loops measure the peak rates of this core.
 
-- `vocalis bench` — the whole table, some two minutes, and cost against work
-- `vocalis bench --check` — also compare its ratios with earlier runs on this processor; a loss over 15 % exits with 1
-- `vocalis bench --quick --json` — one round, no fresh processes, nothing kept, for a script
+- `vocalis bench` — the whole table and cost against work; about two minutes
+- `vocalis bench --check` — compare the ratios with earlier runs on this processor; exit code 1 for a loss over 15 %
+- `vocalis bench --quick --json` — one round, no fresh processes, no history; for a script
 """
 
 
@@ -34,7 +34,7 @@ def bench(
 ) -> None:
     """Run the benchmarks and print one table."""
     watcher = Console(stderr=True)
-    machine = machine_description()
+    machine: dict[str, Any] = machine_description()
     with watcher.status("starting") as status:
         rows = run(1 if quick else rounds, fresh_processes=not quick, progress=status.update)
         work = []
@@ -58,38 +58,22 @@ def bench(
 
 
 def _print(rows: list, work: list, machine: dict) -> None:
-    table = Table(box=None, pad_edge=False)
-    for header, justify in (
-        ("modal voice, 20×10 nodes", "left"),
-        ("median", "right"),
-        ("quickest", "right"),
-        ("", "left"),
-        ("wanted", "right"),
-    ):
-        table.add_column(header, justify=justify)
+    table = frameless_table("modal voice, 20×10 nodes", "median>", "quickest>", "", "target>")
     for row in rows:
         quickest = "" if row.quickest is None else f"{row.quickest:,.4g}"
-        table.add_row(row.label, f"{row.value:,.4g}", quickest, row.unit, _wanted(row))
+        table.add_row(row.label, f"{row.value:,.4g}", quickest, row.unit, _target(row))
     console = Console()
     console.print(table)
     if work:
         console.print()
-        table = Table(box=None, pad_edge=False)
-        for header, justify in (
-            ("cost against", "left"),
-            ("work", "left"),
-            ("ms", "right"),
-            ("each", "right"),
-            ("", "left"),
-        ):
-            table.add_column(header, justify=justify)
+        table = frameless_table("cost against", "work", "ms>", "each>", "")
         for cost in work:
             table.add_row(cost.table, cost.work, f"{1e3 * cost.seconds:,.4g}", f"{cost.each:,.4g}", cost.unit)
         console.print(table)
     console.print(", ".join(f"{value}" for value in machine.values()), style="dim", highlight=False)
 
 
-def _wanted(row: Row) -> str:
+def _target(row: Row) -> str:
     if row.at_least is not None:
         return f"≥ {row.at_least:g}"
     return "" if row.target is None else f"≤ {row.target:g}"

@@ -1,4 +1,4 @@
-"""`vocalis gesture`: a voice whose muscles move, as contours, measures per stretch, and files."""
+"""`vocalis gesture`: a voice whose parameters move, as contours, measures per segment, and files."""
 
 from typing import Annotated
 
@@ -19,8 +19,8 @@ from vocalis.cli.progress import watched
 HELP = """
 {summary}
 
-Wherever an option takes a number, breakpoints `time:value,time:value` (seconds) make it move along straight lines.
-Each stretch between two breakpoints is measured on its last half.
+Any option that takes a number also takes breakpoints `time:value,time:value` (seconds), with straight lines between.
+Each segment between two breakpoints is measured on its last half.
 
 - `vocalis gesture --ct 0.2:0.1,1.2:0.9 --duration 1.5 --wav glide.wav` — a pitch glide
 - `vocalis gesture --pca 0.5:0,0.7:0.8 --csv contours.csv` — abduction, f_o and level every 10 ms
@@ -46,7 +46,7 @@ def gesture(
         str | None, typer.Option("--csv", metavar="FILE", help="the contours as a table", rich_help_panel=_OUTPUT)
     ] = None,
 ) -> None:
-    """Render a gesture and say what came of it."""
+    """Render a gesture, print its measures and write the files."""
     for option, path in (("--wav", wav), ("--netcdf", netcdf), ("--csv", csv)):
         check_writable(option, path)
     rendered = watched(request.start.run.duration_s, lambda progress: render(request, progress=progress))

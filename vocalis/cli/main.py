@@ -1,15 +1,15 @@
-"""The `vocalis` command: finds the subcommand, runs it, and turns what goes wrong into one line and an exit code.
+"""The `vocalis` command: finds the subcommand, runs it, and turns errors into one line and an exit code.
 
-0 done · 1 the model has no answer (no posture, divergence) · 2 the input cannot be used · 130 interrupted.
+0 done · 1 the model has no answer (no posture, divergence) · 2 invalid input · 130 interrupted.
 
-Only the subcommand asked for is imported: the physics takes a second to load, `vocalis --help` should not.
+Only the requested subcommand is imported: the physics takes a second to load, and `vocalis --help` should not.
 """
 
 import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module, metadata
-from typing import Annotated
+from typing import Annotated, cast
 
 import typer
 
@@ -18,7 +18,7 @@ from vocalis.cli.texts import COMMANDS, EPILOG, PURPOSE
 NO_ANSWER, BAD_INPUT, INTERRUPTED = 1, 2, 130
 
 # The class of "no such option" and the like; its module differs between releases of Typer.
-UsageError = typer.BadParameter.__base__
+UsageError = cast(type[typer.BadParameter], typer.BadParameter.__base__)
 
 
 def run() -> None:
@@ -27,7 +27,7 @@ def run() -> None:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Run one command line; returns the exit code."""
+    """Run one command line and return the exit code."""
     arguments = list(arguments) or ["--help"]
     try:
         code = _app(arguments)(args=arguments, prog_name="vocalis", standalone_mode=False)
@@ -37,7 +37,7 @@ def main(arguments: Sequence[str]) -> int:
         return _complain(error.format_message(), BAD_INPUT)
     except (KeyboardInterrupt, typer.Abort):
         return _complain("interrupted", INTERRUPTED)
-    except BrokenPipeError:  # the reader of a pipe has seen enough
+    except BrokenPipeError:  # the reader closed the pipe
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except Exception as error:

@@ -23,17 +23,17 @@ from vocalis.studies.paper.run.gather import workers
 HELP = """
 {summary}
 
-Each norm is a published range of adult men, with its source and how the model's number is made. pass: within the
-range; otherwise by how much it is missed. Efforts are lung pressures of soft, normal and loud voice.
+Each norm is a published range of adult men, with its source and the definition of the model's number. pass: within
+the range; otherwise the distance from it. Efforts are lung pressures of soft, normal and loud voice.
 
-- `vocalis norms` — the human variant with two-way coupling beside the paper's variant, some ten seconds
+- `vocalis norms` — the human variant with two-way coupling and the paper's variant; about ten seconds
 - `vocalis norms --variant paper --coupling two_way` — one variant, one coupling
 - `vocalis norms --html norms.html --json norms.json` — the table with sources, every number
-- `vocalis norms --study` — the search that finds the constants of the human variant, half an hour on two cores; its
-  first line is the set that the variant adopts
+- `vocalis norms --study` — the search for the constants of the human variant; half an hour on two cores. The first
+  line is the set that the variant uses
 """
 _STYLES = {"pass": "green", "deviation": "yellow", "no number": "red"}
-#: Columns when no variant is asked for.
+#: Columns without --variant.
 SHOWN = (("human", "two_way"), ("paper", "one_way"))
 
 
@@ -48,7 +48,7 @@ def norms(
         int | None, typer.Option("--workers", min=1, max=256, help="worker processes; default: one for each core")
     ] = None,
     study: Annotated[bool, typer.Option("--study", help="run the calibration study instead")] = False,
-) -> None:  # fmt: skip
+) -> None:
     """Score the voice against the norms and print one line for each."""
     _refuse(variant, coupling, html_path, study)
     for option, path in (("--html", html_path), ("--json", json)):
@@ -77,15 +77,20 @@ def _refuse(variant: str | None, coupling: str | None, html_path: str | None, st
     if coupling is not None and coupling not in COUPLINGS:
         raise ParameterError("--coupling", f"{coupling!r} is not known", " | ".join(COUPLINGS))
     if coupling is not None and variant is None:
-        raise ParameterError("--coupling", "stands alone", "together with --variant")
+        raise ParameterError("--coupling", "needs --variant", "together with --variant")
     for option, value in (("--variant", variant), ("--html", html_path)):
         if study and value is not None:
-            raise ParameterError(option, "does not go with --study", "--json, --workers")
+            raise ParameterError(option, "cannot be combined with --study", "--json, --workers")
 
 
 def _bars() -> Progress:
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-               TimeElapsedColumn())  # fmt: skip
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+    )
     console = Console(stderr=True)
     return Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
 
@@ -101,7 +106,7 @@ def _print(header: tuple[str, ...], lines: list[tuple[str, ...]]) -> None:
     for k in keep:
         table.add_column(header[k])
     for line in lines:
-        cells = [line[0].split(", ")[0], *line[1:]]  # the symbol stands for the norm
+        cells = [line[0].split(", ")[0], *line[1:]]  # the symbol without the name
         table.add_row(*(_coloured(cells[k]) for k in keep))
     Console().print(table)
 

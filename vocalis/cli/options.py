@@ -1,4 +1,4 @@
-"""Options that set fields of the request, made from the parameter schema: ranges, units and help are written once."""
+"""Options that set fields of the request, generated from the parameter schema with its ranges, units and help."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -11,11 +11,11 @@ from vfcore.spec.request import resolve
 from vfcore.spec.schema import parameter_schema
 from vocalis.cli.requests import request_patch
 
-MUSCLES, BREATH, MODEL, RUN, START = "Muscles", "Breath and tract", "Model", "Run", "Where the request comes from"
+MUSCLES, BREATH, MODEL, RUN, START = "Muscles", "Breath and tract", "Model", "Run", "Source of the request"
 
 
 class RequestOption(NamedTuple):
-    """One option: its flag, the field of the request it sets, the panel of the help it stands in."""
+    """One option: its flag, the field of the request it sets, its panel in the help."""
 
     flag: str
     key: str
@@ -53,8 +53,8 @@ _SOURCES = ("preset", "request", "set")
 def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict[str, Any]], Any] = resolve) -> Callable:
     """Decorator: the command gets ``request``, made from ``options``, --preset, --request and --set.
 
-    ``make`` turns the patch into what the command takes: a Simulation when left out.
-    Later beats earlier: preset, request file, single options, --set. ParameterError for what cannot be used.
+    ``make`` turns the patch into the argument of the command, by default a Simulation.
+    Later overrides earlier: preset, request file, single options, --set. ParameterError for invalid input.
     """
 
     def decorate(command: Callable) -> Callable:
@@ -64,11 +64,12 @@ def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict[str, 
             if parameter.name != "request"
         ]
 
-        def wrapper(**values):
-            sources = [values.pop(name) for name in _SOURCES]
+        def request_command(**values: Any) -> Any:
+            preset, path, settings = (values.pop(name) for name in _SOURCES)
             given = {option.key: values.pop(option.name) for option in options}
-            return command(request=make(_patch(*sources, given)), **values)
+            return command(request=make(_patch(preset, path, settings, given)), **values)
 
+        wrapper: Any = request_command  # a function with a signature of its own
         parameters = [*_option_parameters(options), *_source_parameters(), *own]
         wrapper.__signature__ = inspect.Signature(parameters)
         wrapper.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
@@ -82,7 +83,7 @@ def _patch(
     preset: str | None, path: str | None, settings: list[str] | None, given: Mapping[str, str | bool | None]
 ) -> dict[str, Any]:
     changes = {
-        key: text if _ROWS[key]["type"] in ("choice", "boolean") else number_or_text(text)
+        key: text if isinstance(text, bool) or _ROWS[key]["type"] == "choice" else number_or_text(text)
         for key, text in given.items()
         if text is not None
     }
@@ -90,8 +91,9 @@ def _patch(
 
 
 def number_or_text(text: str) -> int | float | str | list:
-    """The number or the breakpoints (``0:0.1,1.5:0.9``) that ``text`` spells, otherwise the text, for the request's
-    own validation to judge."""
+    """``text`` as a number or as breakpoints (``0:0.1,1.5:0.9``), otherwise unchanged, for the validation of the
+    request.
+    """
     if ":" in text:
         return [[number_or_text(part) for part in pair.split(":", 1)] for pair in text.split(",")]
     for kind in (int, float):
@@ -147,18 +149,22 @@ def _source_parameters():
         Annotated[
             str | None,
             typer.Option(
-                "--request", metavar="FILE|-", help="a request document in JSON; - reads it from standard input",
+                "--request",
+                metavar="FILE|-",
+                help="a request document in JSON; - reads it from standard input",
                 rich_help_panel=START,
             ),
         ],
-    )  # fmt: skip
+    )
     yield _parameter(
         "set",
         Annotated[
             list[str] | None,
             typer.Option(
-                "--set", metavar="PATH=VALUE", rich_help_panel=START,
+                "--set",
+                metavar="PATH=VALUE",
+                rich_help_panel=START,
                 help="any field of the request, repeatable: constants.K_col_pa_m=2e6, run.start=static",
             ),
         ],
-    )  # fmt: skip
+    )

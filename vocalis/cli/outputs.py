@@ -1,4 +1,4 @@
-"""Files a command is asked to write: checked before the work, written whole after it."""
+"""Output files of a command: checked before the work, written after it."""
 
 import os
 import tempfile
@@ -11,7 +11,7 @@ _ALLOWED = "a file in an existing folder that can be written"
 
 
 def check_writable(option: str, path: str | None) -> None:
-    """ParameterError when ``path`` could not be written: found out before a long run, not after it."""
+    """ParameterError if ``path`` cannot be written, before a long run and not after it."""
     if path is None:
         return
     target = Path(path)
@@ -25,7 +25,7 @@ def check_writable(option: str, path: str | None) -> None:
 
 
 def save(option: str, path: str | None, write: Callable[[Path], object]) -> None:
-    """Call ``write(path)`` where a path was asked for; ParameterError where that fails."""
+    """Call ``write(path)`` unless ``path`` is None; ParameterError if it fails."""
     if path is None:
         return
     try:

@@ -29,15 +29,15 @@ from vocalis.studies.paper.study.text import study_markdown
 HELP = """
 {summary}
 
-Each claim is a numeric test that was fixed before anything ran. pass: as the paper says; deviation: its sense holds,
-with a stated difference; fail: neither.
+Each claim is a numeric test that was fixed before the first run. pass: as the paper says; deviation: true in
+substance, with a stated difference; fail: neither.
 
-- `vocalis paper` — all 29 claims on the paper's two readings of the model, one or two minutes
+- `vocalis paper` — all 29 claims on both readings of the paper; one or two minutes
 - `vocalis paper --variant human` — the same claims on a voice of human size, coupled to its airways
 - `vocalis paper --variant paper --html report.html` — with a picture for each claim
-- `vocalis paper --only M2,M3,S1` — some claims, a few seconds
-- `vocalis paper --study` — what becomes of the score when a free choice is made otherwise, some minutes
-- `vocalis paper --convergence` — three voices on finer grids and shorter steps; both shears on more rows
+- `vocalis paper --only M2,M3,S1` — some claims; a few seconds
+- `vocalis paper --study` — how the score changes with each free choice; a few minutes
+- `vocalis paper --convergence` — three voices on finer grids and shorter steps; both shear forms on more rows
 """
 _STYLES = {"pass": "green", "deviation": "yellow", "fail": "red"}
 BOTH = "both"
@@ -57,12 +57,12 @@ def paper(
     convergence: Annotated[
         bool, typer.Option("--convergence", help="refine grid and time step instead, for the paper variant")
     ] = False,
-) -> None:  # fmt: skip
+) -> None:
     """Judge the paper's claims and print one line for each."""
     chosen = _variants(variant)
     claims = CLAIMS if only is None else {key: CLAIMS[key] for key in _keys(only)}
-    _refuse_beside("--study", study, ("--only", only), ("--html", html), ("--convergence", convergence or None))
-    _refuse_beside("--convergence", convergence, ("--only", only), ("--html", html))
+    _refuse_with("--study", study, ("--only", only), ("--html", html), ("--convergence", convergence or None))
+    _refuse_with("--convergence", convergence, ("--only", only), ("--html", html))
     for option, path in (("--html", html), ("--json", json)):
         check_writable(option, path)
     with workers(count or os.cpu_count() or 1) as pool, _watch() as watched:
@@ -95,26 +95,32 @@ def _keys(text: str) -> list[str]:
     keys = [key.strip().upper() for key in text.split(",") if key.strip()]
     unknown = [key for key in keys if key not in CLAIMS]
     if unknown or not keys:
-        raise ParameterError("--only", f"{text!r} names no claim" if not keys else f"{unknown[0]} is no claim",
-                             ", ".join(CLAIMS))  # fmt: skip
+        raise ParameterError(
+            "--only", f"{text!r} contains no claim" if not keys else f"{unknown[0]} is not a claim", ", ".join(CLAIMS)
+        )
     return [key for key in CLAIMS if key in keys]
 
 
-def _refuse_beside(chosen: str, is_chosen: bool, *others: tuple[str, Any]) -> None:
+def _refuse_with(chosen: str, is_chosen: bool, *others: tuple[str, Any]) -> None:
     for option, value in others:
         if is_chosen and value is not None:
-            raise ParameterError(option, f"does not go with {chosen}", "--json, --workers")
+            raise ParameterError(option, f"cannot be combined with {chosen}", "--json, --workers")
 
 
 @contextmanager
 def _watch() -> Iterator[Callable[[str], Callable[[str, int, int], None]]]:
-    """Gives for a name what is called as runs end; bars on a terminal, silence elsewhere."""
+    """A function from a name to a progress callback: bars on a terminal, nothing elsewhere."""
     console = Console(stderr=True)
     if not console.is_terminal:
         yield lambda name: lambda case, done, total: None
         return
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-               TimeElapsedColumn())  # fmt: skip
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+    )
     with Progress(*columns, console=console, transient=True) as bars:
 
         def named(name: str) -> Callable[[str, int, int], None]:

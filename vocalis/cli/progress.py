@@ -1,4 +1,4 @@
-"""A run with progress on a terminal (on standard error), and silence where nobody watches."""
+"""Progress of a run, on standard error if it is a terminal."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -12,12 +12,12 @@ from vfcore.runs.result import SimulationResult
 from vfcore.spec.simulation import Run, Simulation
 
 T = TypeVar("T")
-#: Long enough to pass through every kernel once, short enough not to be noticed.
+#: Long enough to run every kernel once, short enough not to be noticed.
 WARM_UP_S = 0.02
 
 
 def simulate_watched(request: Simulation) -> SimulationResult:
-    """``simulate(request)``; on a terminal with two steps shown: compiling kernels, then the run."""
+    """``simulate(request)``; on a terminal with the progress of compilation and of the run."""
     console = Console(stderr=True)
     if not console.is_terminal:
         return simulate(request)
@@ -42,6 +42,6 @@ def watched(duration_s: float, work: Callable[[Callable[[float], None] | None], 
 
 
 def compile_kernels(request: Simulation) -> None:
-    """Compile, or load from the cache, everything that running ``request`` needs: by the shortest such run."""
+    """Compile, or load from the cache, all kernels that ``request`` needs, by a short run."""
     run: Run = replace(request.run, duration_s=WARM_UP_S, pressure_rise_s=0.0)
     simulate(replace(request, run=run))

@@ -1,4 +1,4 @@
-"""A request as a patch from what the command line says: preset, file, single options, --set; later beats earlier."""
+"""The request patch of a command line: preset, file, single options, --set; later overrides earlier."""
 
 import json
 import sys
@@ -24,18 +24,20 @@ def request_patch(
     if preset is not None:
         patch |= flat(_preset(preset))
     if path is not None:
-        patch = _over(patch, flat(read_document("--request", path)))
-    patch = _over(patch, changes)
+        patch = _merged(patch, flat(read_document("--request", path)))
+    patch = _merged(patch, changes)
     for setting in settings:
         key, separator, text = setting.partition("=")
         if not separator or not key:
             raise ParameterError("--set", f"{setting!r} sets nothing", "PATH=VALUE, such as run.start=static")
-        patch = _over(patch, flat({key: _value(text)}))
+        patch = _merged(patch, flat({key: _value(text)}))
     return patch
 
 
-def _over(patch: dict[str, Any], later: Mapping[str, Any]) -> dict[str, Any]:
-    """A patch with a later one laid over it; a part that one of them sets to null is not kept by the other."""
+def _merged(patch: dict[str, Any], later: Mapping[str, Any]) -> dict[str, Any]:
+    """A patch with a later one on top. A null part in the later one removes its values, and values restore a null
+    part.
+    """
     gone = {path for path in later if later[path] is None and path in OPTIONAL_PARTS}
     back = {path.partition(".")[0] for path in later}
     kept = {key: value for key, value in patch.items() if key.partition(".")[0] not in gone and key not in back}
@@ -67,7 +69,7 @@ def read_document(option: str, path: str) -> dict[str, Any]:
 
 
 def _value(text: str) -> Any:
-    """JSON where it is JSON, otherwise the text itself."""
+    """The text parsed as JSON, or the text itself if it is not JSON."""
     try:
         return json.loads(text)
     except (ValueError, RecursionError):

@@ -7,7 +7,7 @@ import typer
 HELP = """
 {summary}
 
-Without a token only this machine is listened to. With --tls-cert and --tls-key it speaks HTTPS.
+Without a token the server accepts connections from this machine only. --tls-cert and --tls-key switch to HTTPS.
 
 - `vocalis serve` — then open http://127.0.0.1:8000
 - `vocalis serve --port 9000`

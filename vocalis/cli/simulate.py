@@ -21,7 +21,7 @@ from vocalis.cli.tables import print_measures
 HELP = """
 {summary}
 
-Measures come from the last half of the run. A measure that has no value says why.
+Measures are taken from the last half of the run. A measure without a value has a reason.
 
 - `vocalis simulate` — the modal voice of the paper, 1 s in a few hundredths of a second
 - `vocalis simulate --ct 1 --ta 0.1 --wav high.wav` — a high pitch, to listen to
@@ -45,21 +45,20 @@ def simulate(
     normalize: Annotated[
         bool,
         typer.Option(
-            "--normalize/--no-normalize", rich_help_panel=_OUTPUT,
+            "--normalize/--no-normalize",
+            rich_help_panel=_OUTPUT,
             help="peak of the sound at -3 dBFS, or the same scale for every run",
         ),
     ] = True,
     netcdf: Annotated[
         _File,
-        typer.Option(
-            "--netcdf", metavar="FILE", help="waveforms, fields, measures: netCDF-4", rich_help_panel=_OUTPUT
-        ),
+        typer.Option("--netcdf", metavar="FILE", help="waveforms, fields, measures: netCDF-4", rich_help_panel=_OUTPUT),
     ] = None,
     csv: Annotated[
         _File, typer.Option("--csv", metavar="FILE", help="the measures as a table", rich_help_panel=_OUTPUT)
     ] = None,
-) -> None:  # fmt: skip
-    """Run a request and say what came of it."""
+) -> None:
+    """Run a request, print its measures and write the files."""
     for option, path in (("--wav", wav), ("--netcdf", netcdf), ("--csv", csv)):
         check_writable(option, path)
     result = simulate_watched(request)
@@ -77,7 +76,7 @@ def simulate(
 
 
 def _write_sound(result: SimulationResult, path: Path, normalize: bool) -> None:
-    """The sound at the lips; silence where nothing phonates."""
+    """The sound at the lips; silence without phonation."""
     audio = render(result.arrays["radiated_pressure_pa"], result.provenance.sample_rate_hz)
     content, _ = to_wav_bytes(audio, normalize=normalize, phonating=result.report.state != "none")
     write_bytes(path, content)

@@ -28,8 +28,8 @@ from vocalis.cli.sweep_table import print_sweep
 HELP = """
 {summary}
 
-A point that cannot be computed says why and stops none of the others. What is computed is kept in a journal beside the
-output until that is written: the same command again goes on where it was interrupted.
+A point that cannot be computed gets a reason and does not stop the others. Computed points are kept in a journal next
+to the output until the output is written: after an interruption, the same command continues.
 
 - `vocalis sweep --axis activation.ct=0:1:21 --axis activation.ta=0:1:21 --netcdf map.nc` — a map over two muscles
 - `vocalis sweep --axis activation.lca,activation.ia=0:1:11 --csv adduction.csv` — tied parameters
@@ -37,7 +37,7 @@ output until that is written: the same command again goes on where it was interr
 - `vocalis sweep --sweep points.json --netcdf points.nc` — a sweep document, as for the HTTP API
 - `vocalis sweep --axis … --scheduler tcp://head:8786 --netcdf map.nc` — on a Dask cluster
 """
-_AXES, _OUTPUT, _HOW = "What is varied", "Output", "How"
+_AXES, _OUTPUT, _HOW = "Parameters and measures", "Output", "Execution"
 _File = str | None
 
 
@@ -46,8 +46,10 @@ def sweep(
     axis: Annotated[
         list[str] | None,
         typer.Option(
-            "--axis", metavar="PATH=VALUES", rich_help_panel=_AXES,
-            help="0:1:21 for 21 values, or 0,0.5,1; up to three times; PATH,PATH=… ties several",
+            "--axis",
+            metavar="PATH=VALUES",
+            rich_help_panel=_AXES,
+            help="0:1:21 for 21 values, or 0,0.5,1; up to three times; PATH,PATH=… for tied parameters",
         ),
     ] = None,
     sweep_file: Annotated[
@@ -58,42 +60,53 @@ def sweep(
     ] = None,
     measures: Annotated[
         str | None,
-        typer.Option("--measures", metavar="KEYS", help="only these, comma between", rich_help_panel=_AXES),
+        typer.Option(
+            "--measures", metavar="KEYS", help="these measures only, separated by commas", rich_help_panel=_AXES
+        ),
     ] = None,
     workers: Annotated[
         int | None,
-        typer.Option("--workers", metavar="NUMBER", help="processes; as many as cores", rich_help_panel=_HOW),
+        typer.Option(
+            "--workers", metavar="NUMBER", help="worker processes; default: one for each core", rich_help_panel=_HOW
+        ),
     ] = None,
     precision: Annotated[
         str | None,
         typer.Option(
             "--precision",
             metavar="NAME",
-            help=f"float64, or float32: three fifths of the time, {SINGLE_PRECISION}",
+            help=f"float64, or float32: 60 % of the time, {SINGLE_PRECISION}",
             rich_help_panel=_HOW,
         ),
     ] = None,
     scheduler: Annotated[
         str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="of a Dask cluster", rich_help_panel=_HOW),
+        typer.Option(
+            "--scheduler",
+            metavar="ADDRESS",
+            help="address of a Dask scheduler; the sweep runs on its cluster",
+            rich_help_panel=_HOW,
+        ),
     ] = None,
     resume: Annotated[
         _File,
         typer.Option(
-            "--resume", metavar="FILE", rich_help_panel=_HOW,
-            help="the journal; kept. Without it: OUTPUT.journal, which goes when the output is written",
+            "--resume",
+            metavar="FILE",
+            rich_help_panel=_HOW,
+            help="journal file, kept; default: OUTPUT.journal, deleted when the output is written",
         ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="print the result as JSON", rich_help_panel=_OUTPUT)] = False,
     netcdf: Annotated[
         _File,
-        typer.Option("--netcdf", metavar="FILE", help="for xarray and others: netCDF-4", rich_help_panel=_OUTPUT),
+        typer.Option("--netcdf", metavar="FILE", help="netCDF-4, for xarray and others", rich_help_panel=_OUTPUT),
     ] = None,
     csv: Annotated[
-        _File, typer.Option("--csv", metavar="FILE", help="a line per point", rich_help_panel=_OUTPUT)
+        _File, typer.Option("--csv", metavar="FILE", help="one line per point", rich_help_panel=_OUTPUT)
     ] = None,
-) -> None:  # fmt: skip
-    """Run a sweep and say what came of it."""
+) -> None:
+    """Run a sweep, print its measures and write the files."""
     for option, path in (("--netcdf", netcdf), ("--csv", csv), ("--resume", resume)):
         check_writable(option, path)
     if workers is not None and not 1 <= workers <= 1024:
@@ -101,11 +114,11 @@ def sweep(
     wanted = sweep_of(request, sweep_file, axis or [], measures, precision)
     journal_path = resume or next((f"{path}.journal" for path in (netcdf, csv) if path), None)
     journal = Journal(journal_path, wanted) if journal_path else None
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for the processes to come: see vocalis.server
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for the worker processes: see vocalis.server
     try:
         table = _run(wanted, workers, journal, scheduler)
     except OSError as error:
-        raise ParameterError("--resume", str(error), "a disk with room") from error
+        raise ParameterError("--resume", str(error), "a disk with free space") from error
     console = Console(stderr=json)
     if json:
         print(json_text(table.document(), indent=2))
@@ -145,7 +158,7 @@ def _cluster(address: str) -> Iterator:
 
 @contextmanager
 def _progress(wanted: Sweep) -> Iterator[sweep_run.Progress]:
-    """On a terminal: how many points are done, how many have no answer, and for how long still."""
+    """On a terminal: points done, points without an answer, and the remaining time."""
     console = Console(stderr=True)
     if not console.is_terminal:
         yield lambda *_: None

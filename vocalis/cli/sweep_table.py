@@ -1,14 +1,14 @@
-"""A sweep as a table for a person: how many points in which state, and between what each measure lies."""
+"""A sweep as a printed table: points by state, and the range of each measure."""
 
 from collections import Counter
 
 import numpy as np
 from rich.console import Console
-from rich.table import Table
 
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.sweep.row import PERIODICITY
 from vfcore.runs.sweep.table import SweepTable
+from vocalis.cli.tables import frameless_table
 
 MOST_PROBLEMS = 5
 
@@ -20,10 +20,8 @@ def print_sweep(console: Console, table: SweepTable) -> None:
     console.print(f"{len(sweep)} points over {over}", style="bold", highlight=False, markup=False)
     states = Counter(table.states().ravel().tolist())
     console.print(", ".join(f"{count} {state}" for state, count in states.most_common()), highlight=False)
-    lines = Table(box=None, pad_edge=False, header_style="dim")
-    for name, justify in (("", "left"), ("measure", "left"), ("smallest", "right"), ("median", "right"),
-                          ("largest", "right"), ("unit", "left"), ("points", "right")):  # fmt: skip
-        lines.add_column(name, justify=justify)
+    headers = "", "measure", "smallest>", "median>", "largest>", "unit", "points>"
+    lines = frameless_table(*headers, header_style="dim")
     for key, quantity in table.columns.items():
         values = table.measure(key)
         values = values[np.isfinite(values)]

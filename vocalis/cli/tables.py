@@ -1,4 +1,4 @@
-"""Results as tables for a person: millimetres, degrees and cmH2O beside SI."""
+"""Results as printed tables, with millimetres, degrees and cmH2O where they are usual."""
 
 import math
 from collections.abc import Mapping
@@ -16,22 +16,22 @@ PA_PER_CMH2O = 98.0665
 
 _CLOSURES = {
     "complete": "complete closure",
-    "posterior_opening": "closed but for a posterior opening",
-    "anterior_opening": "closed but for an anterior opening",
-    "hourglass": "hourglass, open in front and at the back",
+    "posterior_opening": "closed except for a posterior opening",
+    "anterior_opening": "closed except for an anterior opening",
+    "hourglass": "hourglass, open anteriorly and posteriorly",
     "spindle": "spindle, open in the middle",
-    "open": "open all along",
+    "open": "open along the whole length",
 }
 
 
 def print_measures(console: Console, document: Mapping[str, Any]) -> None:
-    """State, then every measure; what is missing with its reason."""
+    """Print the state and every measure; missing ones with their reason."""
     pressure = document["provenance"]["request"]["subglottal_pressure_pa"]
     console.print(document["explanation"], style="bold", highlight=False)
     console.print(f"Lung pressure {pressure:g} Pa ({pressure / PA_PER_CMH2O:.1f} cmH₂O).", highlight=False)
-    console.print(f"Without it: {closure_text(document['static_shape'])}.", highlight=False)
+    console.print(f"Without air pressure: {closure_text(document['static_shape'])}.", highlight=False)
     estimate = document["error_estimate"]
-    table = _table("", "measure", "value>", *(("± grid error>",) if estimate else ()), "unit")
+    table = frameless_table("", "measure", "value>", *(("± grid error>",) if estimate else ()), "unit")
     missing: dict[str, list[str]] = {}
     group = None
     for spec in CATALOGUE:
@@ -52,7 +52,7 @@ def print_measures(console: Console, document: Mapping[str, Any]) -> None:
 
 
 def print_error_estimate(console: Console, estimate: Mapping[str, Any]) -> None:
-    """The grids behind the error bars, and why some measures have none."""
+    """Print the grids of the error bars, and why measures have none."""
     grids = ", ".join(f"{level['nx']} × {level['ny']}" for level in estimate["levels"])
     console.print(f"Grid error from runs on {grids} nodes: {estimate['method']}.", highlight=False, style="dim")
     without: dict[str, list[str]] = {}
@@ -69,9 +69,9 @@ def _bar_text(half_width: float | None) -> str:
 
 
 def print_posture(console: Console, document: Mapping[str, Any]) -> None:
-    """Posture and coefficients of a posture document."""
+    """Print posture and coefficients of a posture document."""
     posture = document["posture"]
-    table = _table("", "posture", "value>", "unit")
+    table = frameless_table("", "posture", "value>", "unit")
     angle, raw = (math.degrees(posture[key]) for key in ("glottal_half_angle_rad", "raw_glottal_half_angle_rad"))
     table.add_row("ε̄", "nominal fold strain", f"{posture['strain']:+.4f}", "")
     table.add_row("L", "fold length", f"{posture['length_m'] * 1e3:.2f}", "mm")
@@ -87,8 +87,8 @@ def print_posture(console: Console, document: Mapping[str, Any]) -> None:
 
 
 def print_static_shape(console: Console, shape: Mapping[str, Any]) -> None:
-    """The static shape along the fold, lateral positions in mm; the medial plane is where the folds would meet."""
-    table = _table("x mm>", "superior>", "inferior>", "beam>", "gap superior>", "gap inferior>")
+    """Print the static shape along the fold, in mm. At the medial plane the folds would meet."""
+    table = frameless_table("x mm>", "superior>", "inferior>", "beam>", "gap superior>", "gap inferior>")
     edges = [("superior_m", "medial_superior_m"), ("inferior_m", "medial_inferior_m")]
     for k, x in enumerate(shape["x_m"]):
         displacements = (shape[name][k] for name in ("superior_m", "inferior_m", "beam_m"))
@@ -102,8 +102,8 @@ def print_static_shape(console: Console, shape: Mapping[str, Any]) -> None:
 
 
 def print_constants(console: Console) -> None:
-    """Every constant that a request may override."""
-    table = _table("constants.…", "", "default>", "range>", "unit", "meaning")
+    """Print every constant that a request may override."""
+    table = frameless_table("constants.…", "", "default>", "range>", "unit", "meaning")
     for row in parameter_schema():
         if row["group"] in (FOLD_CONSTANTS, POSTURING_CONSTANTS):
             name = row["key"].removeprefix("constants.")
@@ -113,13 +113,13 @@ def print_constants(console: Console) -> None:
 
 
 def closure_text(shape: Mapping[str, Any]) -> str:
-    """The closure of a static shape in words."""
+    """The closure of a static shape as text."""
     return f"{_CLOSURES[shape['closure_pattern']]}; {shape['closed_fraction']:.0%} of the length is closed"
 
 
-def _table(*headers: str) -> Table:
-    """A table without frame; a header ending in > is aligned right."""
-    table = Table(box=None, pad_edge=False)
+def frameless_table(*headers: str, header_style: str | None = None) -> Table:
+    """A table without frame; columns whose header ends in > are aligned right."""
+    table = Table(box=None, pad_edge=False, header_style=header_style)
     for header in headers:
         table.add_column(header.rstrip(">"), justify="right" if header.endswith(">") else "left")
     return table

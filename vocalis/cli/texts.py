@@ -1,20 +1,20 @@
-"""What `vocalis --help` says before any physics is loaded."""
+"""Texts of `vocalis --help`, kept apart from the physics, which is slow to import."""
 
 PURPOSE = (
     "Five laryngeal muscles → posture of the vocal folds → vibration → flow → sound. "
-    "All of it runs here; no server is needed."
+    "Everything runs on this machine; no server is needed."
 )
 
 COMMANDS = {
-    "posture": "Where five muscle activations put the folds: strain, glottal angle, tension.",
-    "static": "The shape of the folds at that posture without air pressure, and how they close.",
-    "simulate": "Let them vibrate: measures, waveforms, sound.",
-    "gesture": "Let the muscles move while they vibrate: glides, onsets, contours.",
-    "sweep": "The same over one to three parameters: a table of measures, as netCDF or CSV.",
+    "posture": "Posture of the folds for five muscle activations: strain, glottal angle, tension.",
+    "static": "Static shape of the folds without air pressure, and how they close.",
+    "simulate": "Vibration at a constant posture: measures, waveforms, sound.",
+    "gesture": "Vibration while the muscles move: glides, onsets, contours.",
+    "sweep": "Many simulations over one to three parameters: a table of measures, as netCDF or CSV.",
     "serve": "The dashboard and the HTTP API on this machine.",
-    "paper": "What the paper claims, each claim tested and scored.",
-    "norms": "The voice against published norms of men.",
-    "bench": "How fast it all runs on this machine.",
+    "paper": "The claims of the paper, tested and scored.",
+    "norms": "The voice compared with published norms of men.",
+    "bench": "Speed of Vocalis on this machine.",
 }
 
 EPILOG = """
@@ -38,5 +38,5 @@ EPILOG = """
 - `vocalis simulate --variant human --coupling two_way --pressure 600` — a voice of human size
 - `vocalis simulate --set constants.K_col_pa_m=2e6` — any constant of the model
 
-Exit codes: 0 done, 1 the model has no answer there, 2 the input cannot be used.
+Exit codes: 0 done, 1 the model has no answer there, 2 invalid input.
 """

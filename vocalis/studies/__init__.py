@@ -1,1 +1,1 @@
-"""Studies made with the core: the paper's claims, and published norms of men."""
+"""Studies with the model: the claims of the paper, and published norms of men."""

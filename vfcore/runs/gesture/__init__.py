@@ -1,1 +1,1 @@
-"""A voice whose parameters move: breakpoints in time, the fold that follows them, sound without seams, contours."""
+"""Gestures: parameters that move in time, the fold that follows them, continuous sound, contours."""

@@ -1,4 +1,4 @@
-"""A rendered gesture as plain values for JSON, as a table of its contours, and as a netCDF-4 file."""
+"""A rendered gesture as plain values for JSON, as a CSV table of its contours, and as a netCDF-4 file."""
 
 import csv
 import io
@@ -18,7 +18,7 @@ from vfcore.spec.fields import PAPER
 from vfcore.spec.schema import parameter_schema
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
-#: Unit and plain name of each contour that is not a parameter of the request.
+#: Unit and name of each contour that is not a parameter of the request.
 CONTOURS = {
     "time_s": ("s", "time"),
     "fo_hz": ("Hz", "fundamental frequency"),
@@ -72,13 +72,13 @@ def contour_csv(rendered: RenderedGesture) -> str:
 
 
 def write_gesture_netcdf(rendered: RenderedGesture, path: str | os.PathLike) -> None:
-    """Waves over ``time``, contours over ``block``; whole or not at all, OSError where ``path`` cannot be written."""
+    """Write waves over ``time`` and contours over ``block``, atomically; OSError where ``path`` cannot be written."""
     with replacing(path) as draft:
         write_variables(draft, *_content(rendered))
 
 
 def gesture_netcdf_bytes(rendered: RenderedGesture) -> bytes:
-    """The same file as octets."""
+    """The same file as bytes."""
     buffer = io.BytesIO()
     write_variables(buffer, *_content(rendered))
     return buffer.getvalue()

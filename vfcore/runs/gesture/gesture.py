@@ -1,8 +1,8 @@
-"""A gesture: a simulation in which some numbers are breakpoints over time.
+"""A gesture: a request in which some numbers are functions of time, given by breakpoints.
 
-In a request document a list of ``[time in s, value]`` pairs may stand wherever a number does, but for the numbers of
-the run itself (duration, grid, step), which the march fixes before it starts. The vowel may be a list of
-``[time in s, vowel]``: it changes at those times.
+In a request document, a list of ``[time in s, value]`` pairs may replace any number except those of the run (duration,
+grid, step), which are fixed before the run starts. The vowel may be a list of ``[time in s, vowel]``: it changes at
+those times.
 """
 
 from collections.abc import Mapping
@@ -16,14 +16,14 @@ from vfcore.spec.paths import DECLARATIONS, NUMBERS, OPTIONAL_PARTS
 from vfcore.spec.request import document_of, flat, nested, patched, resolve
 from vfcore.spec.simulation import VOWELS, Simulation
 
-#: Numbers that may move in time: all but those of the run, which the march fixes before it starts.
+#: Numbers that may move in time: all but those of the run, which are fixed before it starts.
 MOVABLE = tuple(path for path in NUMBERS if not path.startswith("run."))
 
 
 @dataclass(frozen=True, slots=True)
 class Gesture:
-    """``start``: the simulation at time 0, whose run sets duration and grid; ``tracks``: the numbers that move;
-    ``vowels``: (time, vowel) from which each holds, empty where it stays.
+    """``start``: the request at time 0, whose run sets duration and grid; ``tracks``: the numbers that move;
+    ``vowels``: (time, vowel) pairs, each valid from its time on; empty: the vowel is constant.
 
     Raises ParameterError for a path that cannot move, a path given twice, or a value that the request refuses.
     """
@@ -47,13 +47,13 @@ class Gesture:
                     raise ParameterError(f"{track.path}.{k}.1", error.message, error.allowed) from error
 
     def at(self, time_s: float) -> Simulation:
-        """The request as it stands at a time."""
+        """The request at a time."""
         now = moved(self.start, {track.path: track.at(time_s) for track in self.tracks})
         vowel = next((vowel for begin, vowel in reversed(self.vowels) if begin <= time_s), now.vowel)
         return now if vowel == now.vowel else replace(now, vowel=vowel)
 
     def corners_s(self) -> tuple[float, ...]:
-        """Times at which some number begins or ends to move, inside the run, with 0 and its end."""
+        """Times at which a number starts or stops moving, within the run, plus 0 and the end of the run."""
         end = self.start.run.duration_s
         inside = {time for track in self.tracks for time in track.times_s if 0.0 < time < end}
         inside |= {time for time, _ in self.vowels if 0.0 < time < end}
@@ -68,7 +68,7 @@ def gesture_from_dict(document: Mapping[str, Any]) -> Gesture:
         if not isinstance(value, list) or not DECLARATIONS[path].is_number:
             continue
         if path not in MOVABLE:
-            raise ParameterError(path, "cannot move in time", "one number: the march fixes it before it starts")
+            raise ParameterError(path, "cannot move in time", "one number: it is fixed before the run starts")
         track = track_from_pairs(path, value)
         patch[path] = track.at(0.0)
         tracks.append(track)
@@ -93,7 +93,7 @@ def _is_pair(value: Any) -> bool:
 
 
 def gesture_to_dict(gesture: Gesture) -> dict[str, Any]:
-    """The complete request document, breakpoints in the place of the numbers that move."""
+    """The complete request document, with breakpoints in place of the numbers that move."""
     moving: dict[str, Any] = {track.path: track.pairs() for track in gesture.tracks}
     if gesture.vowels:
         moving["vowel"] = [[time, vowel] for time, vowel in gesture.vowels]
@@ -102,13 +102,14 @@ def gesture_to_dict(gesture: Gesture) -> dict[str, Any]:
 
 
 def gesture_address(gesture: Gesture) -> str:
-    """Where a rendered gesture is kept: by what it computes, as for a simulation."""
+    """The address of a rendered gesture: a hash of what it computes, as for a simulation."""
     return computation(gesture.start).address({track.path: track.pairs() for track in gesture.tracks}, gesture.vowels)
 
 
 def moved(request: Simulation, values: Mapping[str, float]) -> Simulation:
-    """The request with numbers at paths of MOVABLE replaced; ParameterError where one is out of range, or moves a part
-    that is not given."""
+    """The request with the numbers at paths of MOVABLE replaced; ParameterError where one is out of range, or belongs
+    to a part that is not given.
+    """
     for path in values:
         part = DECLARATIONS[path].part
         if part in OPTIONAL_PARTS and getattr(request, part) is None:

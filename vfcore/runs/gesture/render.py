@@ -1,4 +1,4 @@
-"""A gesture from beginning to end: waveforms, contours of what moved and what was heard, measures per segment."""
+"""Rendering of a gesture: waveforms, contours of parameters and sound, measures per segment."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -32,7 +32,7 @@ class State(NamedTuple):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Segment:
-    """A stretch between two breakpoints, measured on its last half, with the posture at its end."""
+    """A segment between two breakpoints; ``report`` measures its last half with the posture at its end."""
 
     start_s: float
     end_s: float
@@ -41,9 +41,10 @@ class Segment:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RenderedGesture:
-    """``waves``: (n,) each at 28 kHz, names as in a simulation's arrays. ``contours``: (blocks,) each, one value per
+    """``waves``: (n,) each, at 28 kHz, named as in a simulation's arrays. ``contours``: (blocks,) each, one value per
     10 ms: time_s, fo_hz, spl_lips_db, spl_30cm_db, strain, glottal_half_angle_rad, length_m, and each moving number by
-    its path. ``audio_pa``: 48 kHz, Pa, late by ``audio_delay_s``."""
+    its path. ``audio_pa``: at 48 kHz, Pa, delayed by ``audio_delay_s``.
+    """
 
     gesture: Gesture
     waves: dict[str, np.ndarray]
@@ -60,7 +61,7 @@ def render(
 ) -> RenderedGesture:
     """Run a gesture over its ``run.duration_s``.
 
-    ``progress(fraction)`` after each block of 10 ms; ``stop()`` is asked before each. Raises ParameterError,
+    ``progress(fraction)`` is called after each block of 10 ms, ``stop()`` before each. Raises ParameterError,
     PostureError, DivergenceError, Cancelled.
     """
     count = math.ceil(gesture.start.run.duration_s / BLOCK_S - 1e-9)
@@ -76,7 +77,7 @@ def collect(
     progress: Callable[[float], None] | None = None,
     stop: Callable[[], bool] | None = None,
 ) -> RenderedGesture:
-    """Advance a voice through ``count`` targets and gather what it makes."""
+    """Advance a voice through ``count`` targets and collect the result."""
     blocks: list[Block] = []
     states: list[State] = []
     for target in targets:
@@ -88,9 +89,13 @@ def collect(
             progress(len(blocks) / count)
     waves = _waves(blocks, voice.fold.nx)
     return RenderedGesture(
-        gesture, waves, _contours(gesture, waves, states), tuple(_segments(gesture, waves, states)),
-        np.concatenate([block.audio_pa for block in blocks]), voice.audio_delay_s,
-    )  # fmt: skip
+        gesture,
+        waves,
+        _contours(gesture, waves, states),
+        tuple(_segments(gesture, waves, states)),
+        np.concatenate([block.audio_pa for block in blocks]),
+        voice.audio_delay_s,
+    )
 
 
 def _waves(blocks: list[Block], nx: int) -> dict[str, np.ndarray]:

@@ -1,8 +1,8 @@
-"""Slew-rate limits of a played voice: its numbers move no faster than muscles do.
+"""Slew-rate limits of a played voice: its parameters move no faster than muscles do.
 
-A control can jump; a muscle cannot. Within a block of 10 ms each number moves by at most BLOCK_SHARE of its range, so
-a jump over the whole range takes 50 ms, the twitch time of the fastest laryngeal muscles (LCA and TA reach their peak
-tension in about 20–50 ms; Titze 1994, Principles of Voice Production, table 1.2). This is a choice of this
+A control can jump; a muscle cannot. Within a block of 10 ms each number moves by at most BLOCK_SHARE of its range. A
+jump over the whole range therefore takes 50 ms, the twitch time of the fastest laryngeal muscles (LCA and TA reach
+their peak tension in about 20–50 ms; Titze 1994, Principles of Voice Production, table 1.2). This is a choice of this
 implementation for playing live; breakpoints of a gesture are followed exactly.
 """
 
@@ -28,12 +28,12 @@ def differences(now: Simulation, wanted: Simulation) -> tuple[str, ...]:
 
 
 def slew_limited(now: Simulation, wanted: Simulation, paths: tuple[str, ...]) -> Simulation:
-    """The request one block later: every number of ``paths`` as near to ``wanted`` as a block allows."""
+    """The request one block later: every number of ``paths`` as close to ``wanted`` as the limit allows."""
     return moved(now, {path: _nearer(path, value_at(now, path), value_at(wanted, path)) for path in paths})
 
 
 def is_near(now: Simulation, wanted: Simulation, path: str) -> bool:
-    """Whether one block brings the number all the way."""
+    """Whether one block is enough to reach the wanted number."""
     return abs(value_at(wanted, path) - value_at(now, path)) <= LARGEST_MOVE[path]
 
 

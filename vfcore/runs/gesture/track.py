@@ -15,7 +15,7 @@ _FORM = "a list of [time in s, value] pairs with rising times"
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """Straight lines between breakpoints; before the first and after the last the value stays.
+    """Linear interpolation between breakpoints; constant before the first and after the last.
 
     ``path`` is the dotted name of a number of the request. Raises ParameterError with the path of the breakpoint.
     """

@@ -1,7 +1,7 @@
-"""The tract, block by block: a running convolution that changes its vowel without a seam.
+"""The vocal tract as a block convolution that can change its vowel without a click.
 
-A new vowel does not replace the filter: over one block the glottal flow is faded out of the old tract and into the new
-one, and the old one rings to its end. Both are linear, so nothing clicks.
+A new vowel gets its own filter. Over one block the glottal flow is cross-faded from the old filter to the new one, and
+the old one rings out. Both are linear, so there is no click.
 """
 
 import numpy as np
@@ -10,14 +10,14 @@ from vfcore.airways.impulse_response import response_at
 from vfcore.airways.tract import Tract
 from vfcore.kernels.response import respond
 
-#: Energy of the response that is left out: 80 dB below the voice.
+#: Share of the response's energy that is truncated: 80 dB below the voice.
 LEFT_OUT_ENERGY = 1e-8
 
 
-class Filter:
-    """One tract's responses: lip pressure and, where it is wanted, pressure at 0.3 m.
+class TractResponse:
+    """The responses of one tract: pressure at the lips and, with ``far``, at 0.3 m.
 
-    ``backward`` and ``memory`` are those of kernels/response.py, for each of them.
+    ``backward`` and ``memory``: for each response, the arguments of kernels/response.py.
     """
 
     def __init__(self, tract: Tract, time_step_s: float, block: int, far: bool):
@@ -31,7 +31,7 @@ class Filter:
         self.silent_blocks_left = -(-taps // block)
 
     def push(self, flow: np.ndarray | None) -> np.ndarray:
-        """The next block of sound (rows, block), Pa; without flow the tract rings on."""
+        """The next block of sound (1 or 2, block), Pa; with None the tract rings on without flow."""
         if flow is None:
             self.silent_blocks_left -= 1
             flow = self._silence
@@ -41,7 +41,7 @@ class Filter:
         return out
 
     def far(self, flow: np.ndarray) -> np.ndarray | None:
-        """The next block (block,) of pressure at 0.3 m alone, Pa; None where it is not wanted."""
+        """The next block of pressure at 0.3 m, (block,), Pa; None without ``far``."""
         if len(self.backward) < 2:
             return None
         out = np.empty(self._block)
@@ -49,20 +49,20 @@ class Filter:
         return out
 
 
-class Lips:
+class TractFilter:
     """Sound of a glottal flow that comes in blocks of ``block`` samples; with ``far`` also the sound at 0.3 m."""
 
     def __init__(self, tract: Tract, time_step_s: float, block: int, far: bool = True):
         self._time_step_s, self._block, self._far = time_step_s, block, far
-        self._now = self._filter(tract)
-        self._ringing: list[Filter] = []
+        self._now = self._response(tract)
+        self._ringing: list[TractResponse] = []
         self._fade_in = (np.arange(block) + 0.5) / block
 
-    def _filter(self, tract: Tract) -> Filter:
-        return Filter(tract, self._time_step_s, self._block, self._far)
+    def _response(self, tract: Tract) -> TractResponse:
+        return TractResponse(tract, self._time_step_s, self._block, self._far)
 
-    def steady(self, tract: Tract) -> Filter | None:
-        """The filter of ``tract`` while it is the only one that sounds."""
+    def steady(self, tract: Tract) -> TractResponse | None:
+        """The filter of ``tract`` if no other one is ringing, else None."""
         now = self._now
         return now if not self._ringing and (tract is now.tract or tract == now.tract) else None
 
@@ -71,7 +71,7 @@ class Lips:
         if tract is self._now.tract or tract == self._now.tract:
             sound = self._now.push(flow_m3_s)
         else:
-            old, self._now = self._now, self._filter(tract)
+            old, self._now = self._now, self._response(tract)
             self._ringing.append(old)
             sound = self._now.push(flow_m3_s * self._fade_in)
             sound += old.push(flow_m3_s * (1.0 - self._fade_in))

@@ -1,6 +1,6 @@
-"""A voice that goes on while its muscles move: posture, fold, tract and audio, one block of 10 ms at a time.
+"""A voice whose parameters move: posture, fold, tract and audio, advanced in blocks of 10 ms.
 
-The same engine serves live playing and gestures rendered offline, so the same targets give the same samples.
+Live playing and offline rendering use the same engine, so the same targets give the same samples.
 """
 
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.runs.gesture.glide import FoldSpec, GlidingFold, check_step
 from vfcore.runs.gesture.resample import Resampler
-from vfcore.runs.gesture.tract_filter import Lips
+from vfcore.runs.gesture.tract_filter import TractFilter
 from vfcore.runs.one import posture_of, prepare
 from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
 
@@ -23,8 +23,9 @@ BLOCK_S = BLOCK_STEPS * DEFAULT_STEP_S
 
 
 class Block(NamedTuple):
-    """10 ms of voice: ``record`` (280, 7) of layout.RECORD; lip and 0.3 m pressure (280,), Pa, the latter None unless
-    asked for; lip pressure at 48 kHz (480,), Pa, late by ``Voice.audio_delay_s``."""
+    """10 ms of voice: ``record`` (280, 7) of layout.RECORD; pressure at the lips and at 0.3 m (280,), Pa, the latter
+    None for a played voice; pressure at the lips at 48 kHz (480,), Pa, delayed by ``Voice.audio_delay_s``.
+    """
 
     record: np.ndarray
     lip_pressure_pa: np.ndarray
@@ -36,30 +37,30 @@ class Voice:
     """One voice from its onset on. ``advance(target)`` moves to ``target`` within a block.
 
     The grid, the shear form and the step are those of ``start``; targets that differ in them are refused. ``played``:
-    without the sound at 0.3 m, and a block is good until the next one only, so that less memory is touched.
-    Raises ParameterError, PostureError or DivergenceError.
+    the sound at 0.3 m is left out, and each block reuses the memory of the one before, to keep the cache warm. Raises
+    ParameterError, PostureError or DivergenceError.
     """
 
     def __init__(self, start: Simulation, played: bool = False):
         ready = prepare(start)
         if start.run.time_step_s is not None:
             raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
-        beside = airways_of(start, DEFAULT_STEP_S)  # those of the first vowel: what loads the folds does not glide
-        march = TimeMarch(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=beside)
+        airways = airways_of(start, DEFAULT_STEP_S)  # those of the first vowel: their load on the folds does not glide
+        march = TimeMarch(ready.fold, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=airways)
         march.start_static(ready.static) if start.run.start == "static" else march.start_flat()
         self.request, self.posture = start, ready.posture
         check_step(ready.fold, DEFAULT_STEP_S)
         self._gliding = GlidingFold(march, FoldSpec(start, ready.posture))
         self._now_tract = tract_of(start)
-        self._lips = Lips(self._now_tract, DEFAULT_STEP_S, BLOCK_STEPS, far=not played)
+        self._tract_filter = TractFilter(self._now_tract, DEFAULT_STEP_S, BLOCK_STEPS, far=not played)
         self._resampler = Resampler(1.0 / DEFAULT_STEP_S, BLOCK_STEPS)
         self._played = played
-        self._rooms = self._new_rooms()
+        self._buffers = self._new_buffers()
         self.blocks = 0
 
     @property
     def audio_delay_s(self) -> float:
-        """How much later than the record the audio comes."""
+        """The delay of the audio against the record."""
         return self._resampler.delay_s
 
     @property
@@ -68,37 +69,38 @@ class Voice:
 
     @property
     def seen(self) -> tuple[np.ndarray, np.ndarray]:
-        """Displacement of the membrane (ny, nx) and the beam (nx,) when last looked at, m."""
+        """Displacement of the membrane (ny, nx) and the beam (nx,) at the last ``look_at``, m."""
         return self._gliding.seen
 
     @property
     def outline(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Where the folds stand: x (nx,), the membrane's displacement when last looked at and the medial plane, both
-        (ny, nx), m."""
+        """Outline of the folds: x (nx,), the membrane's displacement at the last ``look_at`` and the medial plane, both
+        (ny, nx), m.
+        """
         medial_m = self._gliding.medial_m
         return np.linspace(0.0, self.posture.length_m, medial_m.shape[1]), self._gliding.seen[0], medial_m
 
     def advance(self, target: Simulation, look_at: int = 0) -> Block:
-        """The next block; the numbers of the request reach ``target`` at its end. ``look_at``: a step of the block."""
+        """The next block, at whose end the request is ``target``. ``look_at``: the step at which ``seen`` is taken."""
         spec = self._spec_of(target)
         tract = self._now_tract if _same_tract(target, self.request) else tract_of(target)
-        record, lip, audio = self._rooms if self._played else self._new_rooms()
+        record, lip, audio = self._buffers if self._played else self._new_buffers()
         self._gliding.advance(spec, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)
         flow = record[:, 1]
-        steady = self._lips.steady(tract)
+        steady = self._tract_filter.steady(tract)
         if steady is not None:
-            self._resampler.hear(flow, steady, lip, audio)
+            self._resampler.push_through(flow, steady, lip, audio)
             far = steady.far(flow)
         else:
-            lip, *others = self._lips.push(flow, tract)
+            lip, *others = self._tract_filter.push(flow, tract)
             far = others[0] if others else None
             audio = self._resampler.push(lip)
         self.request, self.posture, self._now_tract = target, spec.posture, tract
         self.blocks += 1
         return Block(record, lip, far, audio)
 
-    def _new_rooms(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Where record, pressure at the lips and audio of a block go."""
+    def _new_buffers(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Arrays for record, pressure at the lips and audio of a block."""
         return np.empty((BLOCK_STEPS, len(RECORD))), np.empty(BLOCK_STEPS), self._resampler.empty()
 
     def _spec_of(self, target: Simulation) -> FoldSpec:
@@ -108,18 +110,21 @@ class Voice:
         if (target.run, target.model) != (now.run, now.model):
             raise ParameterError("model", "cannot change while the voice goes on", "a new voice")
         same_posture = (target.activation, target.posture, target.posturing, target.constants.L_0_m) == (
-            now.activation, now.posture, now.posturing, now.constants.L_0_m
-        )  # fmt: skip
+            now.activation,
+            now.posture,
+            now.posturing,
+            now.constants.L_0_m,
+        )
         return FoldSpec(target, self.posture if same_posture else posture_of(target))
 
 
 def _same_tract(a: Simulation, b: Simulation) -> bool:
-    """Whether the air above the glottis is surely the same."""
+    """Whether both are known to have the same tract."""
     return a is b or (a.vowel == b.vowel and a.larynx is b.larynx)
 
 
 def _same_fold(a: Simulation, b: Simulation) -> bool:
-    """Whether only breath or vowel differ."""
+    """Whether the requests differ at most in breath or vowel."""
     return (a.activation, a.posture, a.posturing, a.constants, a.convergence_angle_rad, a.run, a.model) == (
         b.activation, b.posture, b.posturing, b.constants, b.convergence_angle_rad, b.run, b.model
     )  # fmt: skip

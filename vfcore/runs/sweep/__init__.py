@@ -1,4 +1,4 @@
-"""Many simulations over one to three axes, or a list of points: asked as one document, answered as one table.
+"""Many simulations over one to three axes or a list of points: one document in, one table out.
 
 >>> from vfcore.runs.sweep import run_sweep, sweep_from_dict
 >>> sweep = sweep_from_dict({"axes": [{"parameter": "activation.ct", "values": [0.2, 0.4]}]})

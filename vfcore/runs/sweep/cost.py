@@ -1,4 +1,4 @@
-"""How much work a sweep is, and in what portions it is handed out."""
+"""The cost of a sweep, and the size of its tasks."""
 
 import threading
 
@@ -7,15 +7,15 @@ from vfcore.kernels.layout import LANES
 from vfcore.runs.sweep.plan import Sweep
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
-TASK_S = (0.2, 1.0)  # a task is worth its round trip, and its loss or a stop costs little
-TASKS_PER_WORKER = 8  # at least so many, so that all workers end together
+TASK_S = (0.2, 1.0)  # long against the round trip, short enough that a lost or stopped task costs little
+TASKS_PER_WORKER = 8  # at least so many, so that all workers finish at about the same time
 MOST_PER_TASK = 512
-_GUESS_S = 3e-9  # per node and step, before anything was measured: twice what a calm core takes
+_GUESS_S = 3e-9  # first guess per node and step: twice the time of an idle core
 _OVERHEAD_S = 2e-3  # per point: posture, coefficients, measures
 
 
 def point_node_steps(sweep: Sweep) -> float:
-    """Upper bound of nodes × steps of any point, but for steps that stability shortens."""
+    """Upper bound of nodes × steps of one point; steps that stability shortens are not counted."""
     run = sweep.base.run
     most = {"nx": run.nx, "ny": run.ny, "duration_s": run.duration_s}
     step = run.time_step_s or DEFAULT_STEP_S
@@ -36,9 +36,10 @@ def check_cost(sweep: Sweep, points: int, node_steps: float, setting_points: str
     total = point_node_steps(sweep) * len(sweep)
     if total > node_steps:
         raise ParameterError(
-            path, f"{len(sweep)} runs are up to {total:.2g} node-steps",
+            path,
+            f"{len(sweep)} runs are up to {total:.2g} node-steps",
             f"up to {node_steps:g} node-steps ({setting_steps}): fewer points, shorter runs or a coarser grid",
-        )  # fmt: skip
+        )
 
 
 def _varied(sweep: Sweep):
@@ -49,7 +50,7 @@ def _varied(sweep: Sweep):
 
 
 class Portions:
-    """How many points the next task gets: learns from the tasks that are done. Thread-safe."""
+    """The number of points of the next task, learned from the tasks done so far. Thread-safe."""
 
     def __init__(self, sweep: Sweep, workers: int):
         self._points, self.workers = len(sweep), workers
@@ -58,7 +59,7 @@ class Portions:
         self._lock = threading.Lock()
 
     def next_size(self, left: int) -> int:
-        """Points of a task of 0.2 to 1 s; whole batches where a batch fits, and of the ``left`` ones a fair share."""
+        """Points of a task of 0.2 to 1 s: whole batches where one fits, at most a fair share of the ``left`` points."""
         with self._lock:
             workers, total_s = max(1, self.workers), self._point_s * self._points
             wanted_s = min(max(total_s / (workers * TASKS_PER_WORKER), TASK_S[0]), TASK_S[1])
@@ -67,6 +68,8 @@ class Portions:
             return size if size < self._lanes else round(size / self._lanes) * self._lanes
 
     def learn(self, points: int, seconds: float) -> None:
-        """A task of so many points took so long. The first one may have compiled kernels: later ones correct it."""
+        """Record that a task of ``points`` took ``seconds``. The first may include compilation; later ones correct
+        it.
+        """
         with self._lock:
             self._point_s += 0.5 * (max(seconds / points, 1e-5) - self._point_s)

@@ -1,6 +1,6 @@
 """A sweep as an xarray Dataset: what ``xarray.open_dataset`` gives for its netCDF file, without the file.
 
-Needs xarray, which Vocalis does not install by itself.
+Needs xarray, which is not a dependency of Vocalis.
 """
 
 from typing import TYPE_CHECKING

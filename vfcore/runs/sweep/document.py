@@ -12,7 +12,7 @@ from vfcore.spec.request import document_of, flat, resolve
 from vfcore.spec.simulation import Simulation
 
 MOST_AXES = 3
-MOST_POINTS = 10**9  # positions beyond would not be whole numbers everywhere
+MOST_POINTS = 10**9  # positions beyond are not exact in every client
 MOST_WITH_WAVEFORMS = 500  # about 3 MB each
 KEYS = ("kind", "base", "axes", "points", "measures", "precision", "keep_waveforms")
 
@@ -20,8 +20,8 @@ KEYS = ("kind", "base", "axes", "points", "measures", "precision", "keep_wavefor
 def sweep_from_dict(document: Mapping[str, Any]) -> Sweep:
     """Validate a sweep document; ParameterError for the first field that cannot be used.
 
-    Numbers are checked one by one here. Where several do not go together in one point (a rise time longer than the
-    run, a step too long for the grid), that point carries the reason and the others are computed.
+    Numbers are checked one by one. Where those of one point are inconsistent (a rise time longer than the run, a step
+    too long for the grid), that point gets the reason and the others are computed.
     """
     if not isinstance(document, Mapping):
         raise ParameterError("sweep", f"{type(document).__name__} is not an object", "an object with named fields")
@@ -49,9 +49,10 @@ def sweep_from_dict(document: Mapping[str, Any]) -> Sweep:
         raise ParameterError("precision", "and keep_waveforms do not go together", "float64, or no waveforms")
     if sweep.keep_waveforms and len(sweep) > MOST_WITH_WAVEFORMS:
         raise ParameterError(
-            "keep_waveforms", f"{len(sweep)} points are too many to keep the waveforms of",
+            "keep_waveforms",
+            f"{len(sweep)} points are too many to keep the waveforms of",
             f"up to {MOST_WITH_WAVEFORMS} points",
-        )  # fmt: skip
+        )
     return sweep
 
 

@@ -1,8 +1,9 @@
-"""A sweep as netCDF-4 and CSV files, written whole or not at all.
+"""A sweep as netCDF-4 and CSV files, written atomically.
 
 netCDF: a dimension and coordinate per axis (``activation_ct``; tied parameters share it), or ``point`` with a variable
-per number that differs. ``phonation_state`` holds labels; every scalar is a variable with units, NaN where missing, and
-where any is missing ``<name>_reason`` says why: a number into the attribute ``meanings`` (JSON; 0: nothing to explain).
+per number that differs. ``phonation_state`` holds labels; every scalar is a variable with units, NaN where missing. If
+any value is missing, ``<name>_reason`` holds an index into its attribute ``meanings`` (a JSON list of sentences; 0:
+nothing missing).
 """
 
 import csv
@@ -32,7 +33,7 @@ def write_netcdf(table: SweepTable, path: str | os.PathLike) -> None:
 
 
 def netcdf_bytes(table: SweepTable) -> bytes:
-    """The same file as octets."""
+    """The same file as bytes."""
     buffer = io.BytesIO()
     write_variables(buffer, variables(table), attributes(table))
     return buffer.getvalue()
@@ -68,7 +69,7 @@ def variables(table: SweepTable) -> dict[str, Variable]:
 
 
 def attributes(table: SweepTable) -> dict[str, Any]:
-    """What the file as a whole says of itself: enough to make it again."""
+    """The file's global attributes, enough to reproduce it."""
     return {
         "title": "Vocalis sweep over a vocal fold",
         "source": f"Vocalis {CODE_VERSION}, model {MODEL_VERSION}",
@@ -90,7 +91,7 @@ def write_csv(table: SweepTable, path: str | os.PathLike) -> None:
 def csv_lines(table: SweepTable) -> Iterator[str]:
     """A header, then one line per point: its numbers, state, scalars (empty where missing), problem.
 
-    Numbers are written so that they read back exactly; units stand in the header in brackets.
+    Numbers are written so that they read back exactly; units are in the header, in brackets.
     """
     sweep = table.sweep
     paths = list(dict.fromkeys(path for axis in sweep.axes for path in axis.parameters)) or sorted(
@@ -106,9 +107,11 @@ def csv_lines(table: SweepTable) -> Iterator[str]:
         yield _line(
             [
                 *(repr(given[path]) if path in given else "" for path in paths),
-                states[position], *values, table.problems.get(position, ""),
+                states[position],
+                *values,
+                table.problems.get(position, ""),
             ]
-        )  # fmt: skip
+        )
 
 
 def _line(cells: list[str]) -> str:

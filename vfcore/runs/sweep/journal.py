@@ -1,4 +1,4 @@
-"""What a sweep has computed so far, in a file: a run that ends early, however that comes, goes on from there."""
+"""The journal of a sweep: the points computed so far, in a file from which an interrupted run resumes."""
 
 import os
 import sqlite3
@@ -16,9 +16,9 @@ CREATE TABLE IF NOT EXISTS points (position INTEGER PRIMARY KEY, row BLOB NOT NU
 
 
 class Journal:
-    """Rows by position in a SQLite file at ``path``, made where it is not there.
+    """Rows by position in a SQLite file at ``path``, created if missing.
 
-    Raises ParameterError when the file is something else, or of another sweep or model.
+    Raises ParameterError if the file is not a journal, or belongs to another sweep or model.
     """
 
     def __init__(self, path: str | os.PathLike, sweep: Sweep):
@@ -40,12 +40,12 @@ class Journal:
             )
 
     def rows(self) -> Iterator[tuple[int, Row]]:
-        """Every point that is there."""
-        for position, octets in self._file.execute("SELECT position, row FROM points"):
-            yield position, decode(octets)
+        """All stored points."""
+        for position, data in self._file.execute("SELECT position, row FROM points"):
+            yield position, decode(data)
 
     def put(self, positions: Sequence[int], rows: Sequence[Row]) -> None:
-        """Keep points: all of them, or none. OSError where the disk is full."""
+        """Store points, all or none; OSError where the disk is full."""
         try:
             with self._file:
                 self._file.executemany(

@@ -1,4 +1,4 @@
-"""What a sweep asks, expanded lazily: from a position in it to a request, and to the address of its result."""
+"""A sweep, expanded lazily: from a position to a request and to the address of its result."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -16,7 +16,7 @@ from vfcore.spec.simulation import Simulation
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """``parameters``: dotted paths that take the same ``values`` together."""
+    """``parameters``: dotted paths that share the same ``values``."""
 
     parameters: tuple[str, ...]
     values: tuple[float, ...]
@@ -37,7 +37,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Sweep:
-    """``base`` with the numbers of every point: the product of ``axes`` in C order, or ``points`` one after the other.
+    """A base request and the numbers of every point: the product of ``axes`` in C order, or ``points`` in order.
 
     ``measures``: keys of the catalogue to keep, None for all. Positions count from 0 to len(sweep) − 1.
     """
@@ -63,21 +63,19 @@ class Sweep:
             return self.points[position]
         places = np.unravel_index(position, self.shape)
         return {
-            path: axis.values[place]
-            for axis, place in zip(self.axes, places, strict=True)
-            for path in axis.parameters
-        }  # fmt: skip
+            path: axis.values[place] for axis, place in zip(self.axes, places, strict=True) for path in axis.parameters
+        }
 
     def request(self, position: int) -> Simulation:
-        """The simulation of one point; ParameterError where its numbers do not go together."""
+        """The request of one point; ParameterError where its numbers are inconsistent."""
         return patched(self.base, self.numbers(position))
 
     def part(self, positions: Iterable[int]) -> "Sweep":
-        """The points at these positions alone, as a list: what a worker is sent."""
+        """A sweep of the points at these positions, as a list: the work of one task."""
         return replace(self, axes=(), points=tuple(self.numbers(position) for position in positions))
 
     def requests(self) -> Iterator[Simulation]:
-        """All of them, one at a time."""
+        """The requests of all points, one at a time."""
         return (self.request(position) for position in range(len(self)))
 
     def computation(self, position: int) -> Computation:
@@ -85,7 +83,7 @@ class Sweep:
         return self._base_computation.with_numbers(self.numbers(position))
 
     def address(self, position: int) -> str:
-        """Where the scalars of one point are stored: shared by every sweep that wants the same ones of it."""
+        """The address of the scalars of one point; sweeps that ask for the same scalars share it."""
         return self.computation(position).address(self.precision, self._columns)
 
     @property
@@ -108,6 +106,6 @@ class Sweep:
 
     @cached_property
     def _columns(self) -> list[tuple[str, str]]:
-        """The measures by name and version, so that rows of another catalogue are never taken for rows of this one."""
+        """The measures by key and version, so that rows of another catalogue have other addresses."""
         keys = CATALOGUE.keys() if self.measures is None else self.measures
         return [(key, CATALOGUE[key].version) for key in keys]

@@ -1,4 +1,4 @@
-"""Processes for a sweep: spawned when there is work, gone with the one that started them, replaced when one dies."""
+"""Worker processes of a sweep, which end with the process that started them."""
 
 import multiprocessing
 import os
@@ -19,7 +19,7 @@ def processes(workers: int) -> ProcessPoolExecutor:
 
 
 def end(pool: ProcessPoolExecutor) -> None:
-    """Stop them now, whatever they compute."""
+    """Kill all workers now."""
     running = list((pool._processes or {}).values())
     pool.shutdown(wait=False, cancel_futures=True)
     for process in running:
@@ -29,13 +29,13 @@ def end(pool: ProcessPoolExecutor) -> None:
 
 
 def _begin(parent: int) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the parent ends us
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the parent ends the workers
     keep_freed_memory()
     threading.Thread(target=_watch, args=(parent,), daemon=True).start()
 
 
 def _watch(parent: int) -> None:
-    """End with the parent, even when it had no time to say so."""
+    """Exit once the parent is gone, even if it was killed."""
     while os.getppid() == parent:
         time.sleep(_LOOK_EVERY_S)
     os._exit(1)

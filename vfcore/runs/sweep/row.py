@@ -1,4 +1,4 @@
-"""What is kept of one point: its phonation state and scalars, with a reason for each that is missing."""
+"""The row of one point: phonation state and scalars, with a reason for each missing value."""
 
 import json
 import zlib
@@ -13,7 +13,7 @@ from vfcore.measures.measure import Measure
 from vfcore.runs.many import Point
 from vfcore.runs.sweep.plan import Sweep
 
-#: Beside the measures: what else every point has.
+#: The scalar that every point has in addition to the measures.
 PERIODICITY = "periodicity"
 _EXTRA = {PERIODICITY: Quantity("1", "", "normalised autocorrelation peak")}
 _NOT_FINITE = "The computed value is not a finite number."
@@ -21,7 +21,7 @@ _NOT_FINITE = "The computed value is not a finite number."
 
 class Row(NamedTuple):
     """``state`` None: the point has no answer, and ``problem`` says why. ``values`` (columns,): NaN where missing;
-    ``reasons``: for the missing ones, from the sentence to the columns it is true of.
+    ``reasons``: for missing values, the columns of each reason.
     """
 
     state: str | None
@@ -31,7 +31,7 @@ class Row(NamedTuple):
 
 
 def columns(sweep: Sweep) -> dict[str, Quantity]:
-    """The scalars of every point of a sweep in their order: unit, symbol and name by key."""
+    """The scalars of a sweep in order: unit, symbol and name by key."""
     wanted = CATALOGUE.keys() if sweep.measures is None else sweep.measures
     return {key: Quantity(CATALOGUE[key].unit, CATALOGUE[key].symbol, CATALOGUE[key].name) for key in wanted} | _EXTRA
 
@@ -59,15 +59,15 @@ def failed_row(problem: str, width: int) -> Row:
 
 
 def encode(row: Row) -> bytes:
-    """A row as octets: values as little-endian float64, then the rest as JSON; compressed, checksummed."""
+    """A row as bytes: values as little-endian float64, then the rest as JSON; compressed, checksummed."""
     rest = json.dumps([row.state, row.reasons, row.problem], ensure_ascii=False, separators=(",", ":")).encode()
     values = row.values.astype("<f8").tobytes()
     return zlib.compress(len(row.values).to_bytes(2, "little") + values + rest, 1)
 
 
-def decode(octets: bytes) -> Row:
-    """The row that ``encode`` was given; zlib.error when the octets are damaged."""
-    plain = zlib.decompress(octets)
+def decode(data: bytes) -> Row:
+    """The inverse of ``encode``; zlib.error for damaged data."""
+    plain = zlib.decompress(data)
     end = 2 + 8 * int.from_bytes(plain[:2], "little")
     state, reasons, problem = json.loads(plain[end:])
     return Row(state, np.frombuffer(plain[2:end], dtype="<f8"), reasons, problem)

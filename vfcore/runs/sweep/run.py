@@ -1,4 +1,4 @@
-"""A sweep from beginning to end without a server: over processes of this machine, or any executor that is given."""
+"""Running a sweep without a server, on processes of this machine or on any executor."""
 
 import os
 from collections import deque
@@ -16,10 +16,10 @@ from vfcore.runs.sweep.table import PENDING, SweepTable
 from vfcore.runs.sweep.task import TaskResult, run_task
 from vfcore.version import MODEL_VERSION
 
-IN_FLIGHT = 2  # tasks per worker: one computes, one waits beside it
-ATTEMPTS = 2  # a worker may die once under a task
+IN_FLIGHT = 2  # tasks per worker: one runs, one is queued
+ATTEMPTS = 2  # a task may lose one worker
 ENDED_TWICE = "The worker process ended while it computed this point, twice."
-_LISTEN_S = 0.2
+_POLL_S = 0.2
 
 Progress = Callable[[int, int, int], None]
 
@@ -41,17 +41,18 @@ def run_sweep(
 ) -> SweepTable:
     """Compute every point that ``journal`` does not have yet.
 
-    ``workers``: processes, as many as cores for None; 1 computes in this one. ``executor`` computes instead where it
-    is given (``distributed.Client(…).get_executor()``), ``workers`` tasks at a time. ``progress(done, failed, total)``
-    is called after every task. A worker that dies is replaced and its task tried once more, point by point; one that
-    ends it again carries the reason. Raises Cancelled once ``stop()`` is true; what was computed is in the journal.
+    ``workers``: number of processes; None: one per core; 1: this process. ``executor``: used instead of processes
+    (``distributed.Client(…).get_executor()``), with ``workers`` tasks at a time. ``progress(done, failed, total)`` is
+    called after every task. If a worker dies, it is replaced and its task is retried point by point; a point that kills
+    a second worker fails with that reason. Raises Cancelled once ``stop()`` is true; the journal holds what was
+    computed.
     """
     workers = workers or os.cpu_count() or 1
     run = _Run(sweep, workers, journal, progress or (lambda *_: None), stop or (lambda: False))
     if executor is not None:
         run.with_executor(executor)
     elif workers == 1:
-        run.here()
+        run.in_this_process()
     else:
         run.with_processes()
     return run.table
@@ -68,9 +69,9 @@ class _Run:
         self._todo = deque(int(k) for k in (self.table.state == PENDING).nonzero()[0])
         self._suspects: deque[_Task] = deque()
         self._portions = Portions(sweep, workers)
-        self._say()
+        self._report()
 
-    def here(self) -> None:
+    def in_this_process(self) -> None:
         while (task := self._next()) is not None:
             self._keep(task, run_task(self._sweep.part(task.positions), MODEL_VERSION, self._stop))
 
@@ -85,38 +86,38 @@ class _Run:
                 pool.end(executor)
 
     def with_executor(self, executor: Executor) -> None:
-        under_way: dict[Future[TaskResult], _Task] = {}
+        running: dict[Future[TaskResult], _Task] = {}
         try:
             while True:
-                self._hand_out(executor, under_way)
-                if not under_way:
+                self._submit(executor, running)
+                if not running:
                     return
-                done, _ = wait(under_way, _LISTEN_S, FIRST_COMPLETED)
+                done, _ = wait(running, _POLL_S, FIRST_COMPLETED)
                 if self._stop():
                     raise Cancelled("The sweep was stopped.")
                 for future in done:
-                    self._keep(under_way[future], future.result())
-                    del under_way[future]
+                    self._keep(running[future], future.result())
+                    del running[future]
         except BrokenExecutor:
-            self._suspect(list(under_way.values()))
+            self._suspect(list(running.values()))
             raise
         finally:
-            for future in under_way:
+            for future in running:
                 future.cancel()
 
-    def _hand_out(self, executor: Executor, under_way: dict[Future[TaskResult], _Task]) -> None:
-        """Tasks to the executor; one that a worker died under goes alone, so that it is known which one it was."""
+    def _submit(self, executor: Executor, running: dict[Future[TaskResult], _Task]) -> None:
+        """Submit tasks. A task that lost a worker is submitted alone, so that a second loss can be attributed to it."""
         most = 1 if self._suspects else IN_FLIGHT * self._workers
-        if any(task.attempts > 1 for task in under_way.values()):
+        if any(task.attempts > 1 for task in running.values()):
             return
-        while len(under_way) < most and (task := self._next()) is not None:
+        while len(running) < most and (task := self._next()) is not None:
             try:
                 future = executor.submit(run_task, self._sweep.part(task.positions), MODEL_VERSION)
             except BrokenExecutor:
-                task.attempts -= 1  # it never began
+                task.attempts -= 1  # it never started
                 self._suspects.append(task)
                 raise
-            under_way[future] = task
+            running[future] = task
             if task.attempts > 1:
                 return
 
@@ -134,19 +135,20 @@ class _Run:
 
     def _suspect(self, tasks: list[_Task]) -> None:
         for task in tasks:
-            if task.attempts < ATTEMPTS:  # point by point, so that only the one that did it is lost
+            if task.attempts < ATTEMPTS:  # point by point, so that only the point at fault is lost
                 self._suspects.extend(_Task([position], task.attempts) for position in task.positions)
                 continue
             row = failed_row(ENDED_TWICE, len(self.table.columns))
-            self.table.fill((position, row) for position in task.positions)  # not to the journal: it was no answer
-            self._say()
+            # Not in the journal, so that a later run tries these points again.
+            self.table.fill((position, row) for position in task.positions)
+            self._report()
 
     def _keep(self, task: _Task, result: TaskResult) -> None:
         if self._journal is not None:
             self._journal.put(task.positions, result.rows)
         self.table.fill(zip(task.positions, result.rows, strict=True))
         self._portions.learn(len(task.positions), result.seconds)
-        self._say()
+        self._report()
 
-    def _say(self) -> None:
+    def _report(self) -> None:
         self._progress(self.table.n_done, self.table.n_failed, len(self._sweep))

@@ -1,4 +1,4 @@
-"""The answer of a sweep, filled while it runs: a table per scalar, a state per point, reasons for what is missing."""
+"""The result of a sweep, filled while it runs: scalars and a state per point, and a reason for each missing value."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -10,7 +10,7 @@ from vfcore.io.result_document import Quantity
 from vfcore.runs.sweep.plan import Sweep
 from vfcore.runs.sweep.row import Row, columns
 
-#: Codes of ``state``; what is not yet computed and what failed have codes of their own.
+#: Labels of ``state`` by code: pending and failed points first, then the phonation states.
 STATES = ("pending", "failed", "none", "periodic", "subharmonic", "irregular")
 PENDING, FAILED = 0, 1
 _CODE = {name: code for code, name in enumerate(STATES)}
@@ -27,7 +27,7 @@ class SweepTable:
         self.state = np.zeros(len(sweep), dtype=np.int8)
         self.problems: dict[int, str] = {}
         self._sentences: dict[str, int] = {}
-        # 0: a value is there (or the point has none of them); k: the k-th sentence
+        # 0: the value is there, or the point has no values at all; k: the k-th sentence
         self._why = np.zeros((len(sweep), len(self.columns)), dtype=np.int16)
 
     def put(self, position: int, row: Row) -> None:
@@ -41,14 +41,14 @@ class SweepTable:
             self.problems[position] = row.problem
 
     def fill(self, rows: Iterable[tuple[int, Row]]) -> "SweepTable":
-        """Fill in many; returns itself."""
+        """Fill in many points; returns itself."""
         for position, row in rows:
             self.put(position, row)
         return self
 
     @property
     def n_done(self) -> int:
-        """Points that have been computed, failed ones included."""
+        """Number of points computed, including failed ones."""
         return int(np.count_nonzero(self.state != PENDING))
 
     @property
@@ -64,7 +64,7 @@ class SweepTable:
         return np.array(STATES, dtype=object)[self.state].reshape(self.sweep.shape)
 
     def reason(self, key: str, position: int) -> str | None:
-        """Why a point has no such value; None when it has one."""
+        """Why the value of a point is missing; None if it is there."""
         column = self._column(key)
         if np.isfinite(self.values[position, column]):
             return None
@@ -73,9 +73,9 @@ class SweepTable:
         return self.problems.get(position) or self._sentence(self._why[position, column])
 
     def reason_codes(self, key: str) -> tuple[np.ndarray, list[str]]:
-        """Per point 0 or the number (from 1) of the sentence that says why there is no such value; the sentences.
+        """Per point 0, or the number (from 1) of the sentence that says why its value is missing; then the sentences.
 
-        Failed and pending points have 0: their state says it.
+        Failed and pending points have 0, since their state explains them.
         """
         codes = self._why[:, self._column(key)]
         used = [code for code in np.unique(codes) if code]
@@ -100,7 +100,10 @@ class SweepTable:
             "n_failed": self.n_failed,
             "axes": [
                 {
-                    "name": axis.name, "parameters": list(axis.parameters), "label": axis.label, "unit": axis.unit,
+                    "name": axis.name,
+                    "parameters": list(axis.parameters),
+                    "label": axis.label,
+                    "unit": axis.unit,
                     "values": list(axis.values),
                 }
                 for axis in sweep.axes
@@ -112,7 +115,7 @@ class SweepTable:
                 {"index": int(position), "detail": self.problems[position]} for position in sorted(self.problems)
             ],
             "pending": np.flatnonzero(self.state == PENDING).tolist(),
-        }  # fmt: skip
+        }
 
     def _measure(self, key: str) -> Mapping[str, Any]:
         quantity = self.columns[key]

@@ -1,4 +1,4 @@
-"""One task of a sweep: some of its points, computed in one go by whatever process or machine is given it."""
+"""One task of a sweep: some of its points, computed together by one process."""
 
 import time
 from collections.abc import Callable
@@ -17,13 +17,11 @@ Stop = Callable[[], bool]
 
 
 class WrongModel(VocalisError):
-    """Another version of the model would compute this: its numbers may not stand beside the others."""
+    """The worker has another version of the model, whose results must not be mixed with the others."""
 
 
 class TaskResult(NamedTuple):
-    """Rows of the points of a task in their order; whole results by position where the sweep keeps waveforms; and how
-    long that took.
-    """
+    """Rows of the points of a task in order; full results by position if the sweep keeps waveforms; seconds taken."""
 
     rows: list[Row]
     results: dict[int, SimulationResult]
@@ -37,7 +35,7 @@ def run_task(part: Sweep, model_version: str, stop: Stop | None = None) -> TaskR
     """
     if model_version != MODEL_VERSION:
         raise WrongModel(
-            f"A worker has model {MODEL_VERSION}, the sweep was asked of model {model_version}: "
+            f"A worker has model {MODEL_VERSION}, the sweep needs model {model_version}:  "
             "install the same version of Vocalis on both."
         )
     began = time.perf_counter()

@@ -1,4 +1,4 @@
-"""The voice against published norms of men: which numbers, whose, how measured, and how far the model is from them."""
+"""Comparison of the voice with published norms of men."""
 
 from vocalis.studies.norms.norms import NORMS, Norm
 from vocalis.studies.norms.score import norms_document, score_variant

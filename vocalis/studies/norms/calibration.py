@@ -1,23 +1,23 @@
-"""The study that finds the constants of ``human``: a search from a seed, and a rule that says which set is adopted.
+"""The calibration study of ``human``: a search for its constants, and the rule by which a set is adopted.
 
-The search starts from a Latin hypercube over constants and posture and evolves it by how far each set is from what is
-wanted (vocalis.studies.norms.shortfall). Its best sets are then judged in full: every norm, and every claim of the
-paper on full maps with runs of 1 s, beside the paper's constants with either coupling. So is the set that ``human`` has
-so far: another rounding leads the search elsewhere, and only a better set shall replace it. Adopted is the first by
-``rank``:
+The search starts from a Latin hypercube over constants and posture and minimises the shortfall of each set
+(vocalis.studies.norms.shortfall) by differential evolution. Its best sets are then judged in full: every norm, and
+every claim of the paper on full maps with runs of 1 s, compared with the paper's constants with either coupling. The
+current set of ``human`` is judged as well: the search is sensitive to rounding, and only a better set should replace
+the current one. The first set by ``rank`` is adopted:
 
-1. the wanted norms met, twelve of fifteen;
-2. the fewest claims on shapes, closure patterns and maps that come out worse than with the paper's constants, two-way
-   coupled too;
-3. the most of these that come out no worse than with the paper's constants and one-way coupling;
-4. the most norms; of equals the smallest sum of what the norms are missed by.
+1. at least twelve of the fifteen norms met;
+2. the fewest claims on shapes, closure patterns and maps that are worse than with the paper's constants and two-way
+   coupling;
+3. the most of these claims that are no worse than with the paper's constants and one-way coupling;
+4. the most norms; among equals, the smallest total distance from the norms.
 
-The claims on one cycle (M) and on PCA (P) are judged, and count in the search, not in the rule. Run it with
+The claims on one cycle (M) and on PCA (P) are judged and count in the search, but not in the rule. Run it with
 `vocalis norms --study`.
 """
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict
 from functools import partial
@@ -29,7 +29,6 @@ from scipy.stats import spearmanr
 
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Simulation
-from vfcore.spec.variants import VARIANTS
 from vocalis.studies.norms import efforts
 from vocalis.studies.norms.candidate import Candidate, Reference, Verdicts, front
 from vocalis.studies.norms.evolution import Generation, evolve
@@ -54,11 +53,11 @@ from vocalis.studies.paper.run.score import cases_for, judge
 from vocalis.studies.paper.study.designed import PHYSICS
 
 SEED = 20261126
-#: Each round: how many of the best sets go on, for how many generations, and how long the paper's voices run, s. What
-#: the first takes is a Latin hypercube; the second reads these voices as they are judged in the end.
+#: Each round: number of sets, number of generations, and duration of the paper's voices, s. The first round starts from
+#: a Latin hypercube, the second from the best sets of the first, with the durations of the full judgement.
 ROUNDS = ((40, 11, 0.5), (24, 11, 1.0))
-#: How many of the best sets are judged in full, and in how many other postures, the same for all, the norms are read
-#: before: a norm fixes no muscles.
+#: How many of the best sets are judged in full. Before that, their norms are read in so many other postures, the same
+#: for all, since a norm does not fix the muscles.
 FINALISTS, POSTURES = 9, 16
 Progress = Callable[[int, int], None]
 
@@ -69,7 +68,7 @@ def study_document(
     rounds: Sequence[tuple[int, int, float]] = ROUNDS,
     finalists: int = FINALISTS,
 ) -> dict[str, Any]:
-    """Run the study: the sets judged in full, those that no other beats, and how the constants move the numbers."""
+    """Run the study. Its document holds the sets judged in full, the Pareto front, and the effects of the constants."""
     trials = sum(size * (generations + 1) for size, generations, _ in rounds)
     ticks = itertools.count(1)
 
@@ -79,9 +78,9 @@ def study_document(
     reference = Reference(*(_verdicts(_paper(way), pool) for way in ("one_way", "two_way")))
     allowed = {key: RANK[verdict] for key, verdict in reference.two_way.items()}
 
-    def attempt(voice_s: float, points: Sequence[np.ndarray], bars: Sequence[float]) -> list[Tried]:
+    def attempt(voice_s: float, points: Iterable[np.ndarray], limits: Sequence[float]) -> list[Tried]:
         found = []
-        for one in pool.map(partial(shortfall, allowed, voice_s), points, bars):
+        for one in pool.map(partial(shortfall, allowed, voice_s), points, limits):
             found.append(one)
             count()
         return found
@@ -95,7 +94,7 @@ def study_document(
         values = _in_best_posture(values, pool)
         ranked.append(_in_full(constants_of(values), activation_of(values), reference, pool))
         count()
-    ranked.append(_in_full(*so_far(), reference, pool))
+    ranked.append(_in_full(*current_set(), reference, pool))
     count()
     ranked.sort(key=lambda candidate: candidate.rank)
     return {
@@ -117,7 +116,7 @@ def _leading(generation: Generation, size: int) -> np.ndarray:
 
 
 def best_of(points: np.ndarray, tried: Sequence[Tried], count: int) -> list[Values]:
-    """The factors of the ``count`` best points that differ after rounding, the best first."""
+    """The factors of the ``count`` best points that differ after rounding, best first."""
     kept: dict[tuple, Values] = {}
     for k in np.argsort([one.total for one in tried], kind="stable"):
         values = values_at(points[k])
@@ -136,13 +135,13 @@ def _verdicts(base: Simulation, pool: ProcessPoolExecutor) -> Verdicts:
 
 
 def by_norms(values: Values) -> tuple[int, float]:
-    """Smallest first: how a set does by the norms alone, in a worker."""
+    """Sort key of a set by the norms alone, best first; runs in a worker."""
     result = judged(voices(base_of(values)))
     return -result["in_range"], sum(distances(result["norms"]).values())
 
 
 def _in_best_posture(values: Values, pool: ProcessPoolExecutor) -> Values:
-    """The set in its own posture, or in another where it meets more norms."""
+    """The set in its own posture, or in another one in which it meets more norms."""
     names = [f.name for f in POSTURE]
     others = [values | {name: at[name] for name in names} for at in map(values_at, sample(POSTURES, SEED))]
     asked = [values, *others]
@@ -150,11 +149,11 @@ def _in_best_posture(values: Values, pool: ProcessPoolExecutor) -> Values:
     return asked[min(range(len(asked)), key=ranks.__getitem__)]
 
 
-def so_far() -> tuple[dict[str, float], dict[str, float]]:
-    """Constants and activation that ``human`` and its norms have now, by the names of ``constants_of``."""
-    own = VARIANTS["human"].constants()
+def current_set() -> tuple[dict[str, float], dict[str, float]]:
+    """Current constants of ``human`` and activation of its norms, with the names of ``constants_of``."""
+    own = resolve({"model": {"variant": "human"}}).larynx
     names = constants_of(values_at([0.5] * len(FACTORS)))
-    return {name: getattr(own, name) for name in names}, asdict(efforts.POSTURE)
+    return {name: own.value(name) for name in names}, asdict(efforts.POSTURE)
 
 
 def _in_full(
@@ -167,7 +166,7 @@ def _in_full(
 
 
 def _effects(points: np.ndarray, tried: Sequence[Tried]) -> dict[str, dict[str, float]]:
-    """Over the first generation, in which every set is run to the end."""
+    """Rank correlations over the first generation, in which every set is run to the end."""
     sets = [values_at(point) for point in points]
     table = {key: _correlations(sets, [one.values.get(key) for one in tried]) for key in FIFTEEN}
     for key in AIMS:
@@ -176,11 +175,11 @@ def _effects(points: np.ndarray, tried: Sequence[Tried]) -> dict[str, dict[str, 
 
 
 def _correlations(sets: Sequence[Values], numbers: Sequence[float | None]) -> dict[str, float]:
-    """Rank correlation of a number with each constant."""
+    """Rank correlation of a number with each constant; 0 if the number is constant."""
     known = [(values, number) for values, number in zip(sets, numbers, strict=True) if number is not None]
     known = [(values, number) for values, number in known if np.isfinite(number)]
     column = [number for _, number in known]
-    if len(set(column)) < 2:  # what never moves goes with nothing
+    if len(set(column)) < 2:
         return dict.fromkeys((f.name for f in CONSTANTS), 0.0)
     return {
         f.name: round(float(spearmanr([log(values[f.name]) for values, _ in known], column).statistic), 2)

@@ -1,4 +1,4 @@
-"""A set of constants and posture judged in full, and the rule that puts such sets in order (calibration study)."""
+"""Candidates of the calibration study, judged in full, and the rule that ranks them."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
@@ -7,7 +7,7 @@ from vocalis.studies.norms.norms import FIFTEEN
 from vocalis.studies.norms.shortfall import RANK, TRENDS, WANTED
 from vocalis.studies.paper.bands import FAIL, PASS
 
-#: Claims on shapes and closure patterns (S) and on the maps over CT and TA (A), which the voice must keep.
+#: Claims on shapes and closure patterns (S) and on the maps over CT and TA (A), which a set should not lose.
 HELD = tuple(key for key in TRENDS if key[0] in "SA")
 Verdicts = Mapping[str, str]
 
@@ -20,7 +20,7 @@ class Reference(NamedTuple):
 
 
 class Candidate(NamedTuple):
-    """A set judged in full: what it sets, the judged norms, how far those out of range are, the verdicts on claims."""
+    """A set judged in full: constants, activation, judged norms, total distance from the norms, verdicts on claims."""
 
     constants: dict[str, float]
     activation: dict[str, float]
@@ -35,17 +35,17 @@ class Candidate(NamedTuple):
 
     @property
     def lost(self) -> list[str]:
-        """Claims to be held that come out worse than with the paper's constants, both two-way coupled."""
+        """Claims of HELD that are worse than with the paper's constants and two-way coupling."""
         return [key for key in HELD if RANK[self.claims[key]] > RANK[self.reference.two_way[key]]]
 
     @property
     def kept(self) -> list[str]:
-        """Claims to be held that come out no worse than with the paper's constants, one-way coupled."""
+        """Claims of HELD that are no worse than with the paper's constants and one-way coupling."""
         return [key for key in HELD if RANK[self.claims[key]] <= RANK[self.reference.one_way[key]]]
 
     @property
     def rank(self) -> tuple[float, ...]:
-        """The rule, smallest first."""
+        """Sort key of the rule, best first."""
         return max(WANTED - self.in_range, 0), len(self.lost), -len(self.kept), -self.in_range, self.distance
 
     @property
@@ -53,12 +53,12 @@ class Candidate(NamedTuple):
         return self.in_range, -len(self.lost), len(self.kept)
 
     def beats(self, other: "Candidate") -> bool:
-        """Whether it is as good in norms, claims lost and claims kept, and better in one of them."""
+        """Whether this candidate dominates the other in norms, claims lost and claims kept."""
         return self.merits != other.merits and all(a >= b for a, b in zip(self.merits, other.merits, strict=True))
 
     @property
     def plain(self) -> dict[str, Any]:
-        """As the study's document has it."""
+        """The candidate as plain values for the document of the study."""
         counts = {str(verdict): sum(found == verdict for found in self.claims.values()) for verdict in RANK}
         return {
             "constants": self.constants,
@@ -75,7 +75,7 @@ class Candidate(NamedTuple):
 
 
 def front(found: Iterable[Candidate]) -> list[Candidate]:
-    """The candidates that none beats in norms and claims at once, most norms first; of equals the first."""
+    """The Pareto front in norms and claims, most norms first; among equals the first."""
     everyone = list(found)
     kept: dict[tuple, Candidate] = {}
     for candidate in everyone:

@@ -1,6 +1,6 @@
-"""What two-way coupling does to a voice: vowels one-way and two-way, a harmonic across F1, the trachea in the spectrum.
+"""Effects of two-way coupling on a voice: vowels with both couplings, and a harmonic that crosses F1.
 
-Also how the coupled loop holds: random voices over the whole range, and the same at half the step.
+Also its robustness: random voices over the whole range, and the same at half the step.
 """
 
 from concurrent.futures import ProcessPoolExecutor
@@ -20,11 +20,12 @@ from vfcore.runs.result import SimulationResult
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
 from vocalis.studies.norms.efforts import POSTURE
+from vocalis.studies.paper.evidence import value_of
 
 VOWELS = ("a", "i", "u")
-#: The voices compared: the paper's constants at a pressure that opens a glottis of human size, and the human variant.
+#: The voices compared: the paper's constants at a pressure that gives an opening of human size, and the human variant.
 VOICES = (("paper", 300.0), ("human", 700.0))
-#: A uniform tube of this area instead of a vowel, its length set by the F1 asked for.
+#: Area of a uniform tube in place of a vowel; its length follows from F1.
 TUBE_AREA_M2 = 3e-4
 TUBE_F1_HZ = (700, 600, 550, 500, 475, 450, 400, 350, 300, 275, 250, 225, 200)
 RANDOM_VOICES, RANDOM_RUN_S, HALVED = 500, 0.2, 40
@@ -55,7 +56,7 @@ def _voice(variant: str, pressure_pa: float, vowel: str, coupling: str) -> Simul
 
 
 def effects(result: SimulationResult) -> dict[str, Any]:
-    """State, f_o, flow and level; ``skew``: by how much of a cycle the flow peaks after the area."""
+    """State, f_o, flow and level; ``skew``: delay of the flow peak after the area peak, in cycles."""
     keys = ("fo_hz", "ac_flow_ml_s", "mfdr_l_s2", "spl_30cm_db", "peak_area_mm2")
     measured = {key: result.report.measures[key].value for key in keys}
     bounds = result.report.cycle_bounds
@@ -70,9 +71,7 @@ def effects(result: SimulationResult) -> dict[str, Any]:
 
 def fo_over_f1(pressure_pa: float = 800.0) -> list[dict[str, float]]:
     """f_o of the human voice in the posture of the norms, under uniform tubes of falling F1."""
-    base = resolve(
-        {"model": {"variant": "human", "coupling": "two_way"}, "activation": asdict(POSTURE)}
-    )  # fmt: skip
+    base = resolve({"model": {"variant": "human", "coupling": "two_way"}, "activation": asdict(POSTURE)})
     fold = prepare(base).fold
     air = base.constants
     below = airways("a", air.rho_a_kg_m3, air.c_a_m_s, DEFAULT_STEP_S)
@@ -119,8 +118,8 @@ def random_voices(variant: str, count: int = RANDOM_VOICES) -> list[Simulation]:
     return requests
 
 
-def outcome(request: Simulation) -> str:
-    """How a run ended: its phonation state, "diverged", or "no posture"; in a worker."""
+def state_of(request: Simulation) -> str:
+    """The phonation state of a run, "diverged" or "no posture"; runs in a worker."""
     try:
         return simulate(request).report.state
     except DivergenceError:
@@ -130,20 +129,20 @@ def outcome(request: Simulation) -> str:
 
 
 def halved(request: Simulation) -> tuple[float, float] | None:
-    """f_o and peak area at half the step, over those at the usual step, minus 1; None unless both are periodic."""
+    """Relative change of f_o and peak area at half the step; None unless both runs are periodic."""
     usual = simulate(request)
     step = time_step_s(request.run, prepare(request).fold)
     fine = simulate(replace(request, run=replace(request.run, time_step_s=step / 2)))
     if {usual.report.state, fine.report.state} != {"periodic"}:
         return None
-    ratios = [fine.report.measures[k].value / usual.report.measures[k].value - 1 for k in ("fo_hz", "peak_area_mm2")]
-    return (ratios[0], ratios[1])
+    fo, area = (value_of(fine.report, key) / value_of(usual.report, key) - 1 for key in ("fo_hz", "peak_area_mm2"))
+    return fo, area
 
 
 def robustness(variant: str, pool: ProcessPoolExecutor, count: int = RANDOM_VOICES) -> dict[str, Any]:
-    """Outcomes of the random voices, and how far half the step moves the first periodic ones."""
+    """States of the random voices, and the change of the first periodic ones at half the step."""
     requests = random_voices(variant, count)
-    states = list(pool.map(outcome, requests, chunksize=5))
+    states = list(pool.map(state_of, requests, chunksize=5))
     periodic = [request for request, state in zip(requests, states, strict=True) if state == "periodic"][:HALVED]
     moved = [pair for pair in pool.map(halved, periodic) if pair is not None]
     sizes = np.abs(np.array(moved)).reshape(-1, 2)

@@ -1,7 +1,7 @@
-"""The runs behind the norms: one speaker, one posture, and the pressures that stand for his efforts.
+"""The runs of the norms: one speaker, one posture, and one lung pressure per effort.
 
-A norm fixes no muscles: a man who speaks with normal effort has some posture. POSTURE is the one that the calibration
-study adopts with the constants of ``human``; every variant is scored there.
+A norm does not fix the muscles. POSTURE is the posture that the calibration study adopts with the constants of
+``human``; every variant is scored in it.
 """
 
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ PA_PER_CMH2O = 98.0665
 #: Björklund & Sundberg (2016) give the level at 10 cmH₂O and its rise per doubling, for the syllable [pæ].
 LEVEL_PA = {"half": 5 * PA_PER_CMH2O, "level": 10 * PA_PER_CMH2O}
 LEVEL_VOWEL = "AE"
-#: Where phonation may begin: a threshold is read to one step.
+#: Pressures tried for the phonation threshold, which is resolved to one step.
 THRESHOLD_PA = tuple(range(100, 701, 100))
 THRESHOLD_RUN_S = 0.4
 

@@ -1,11 +1,11 @@
-"""What the calibration study varies: constants in ranges that have been measured or used, and the norms' posture.
+"""The factors of the calibration study: constants in ranges that have been measured or used, and a posture.
 
-Every set is a rounded one, constants to two digits, activations to hundredths: what the study finds can be adopted as
-it is. None of these constants enters the posturing, which has tissues of its own (vfcore.spec.posture_sets): a posture
-is the same with all sets.
+All sets are rounded, constants to two digits and activations to hundredths, so that a set can be adopted as it is. None
+of these constants enters the posturing, which has its own tissues (vfcore.spec.posture_sets), so a posture is the same
+with all sets.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from math import sqrt
 from typing import Any
@@ -40,7 +40,7 @@ class Factor:
 
 
 #: K_coup_level multiplies both ends of the coupling stiffness, K_coup_contrast the ratio of the two; contact_time is
-#: C_col over K_col, which the paper has at 0.1 ms.
+#: C_col/K_col, 0.1 ms in the paper.
 CONSTANTS = (
     Factor("C_coup_pa_s_m", "Pa·s/m", 10, 120),
     Factor("A_muc_0_m2", "m²", 5e-6, 9e-6),
@@ -62,8 +62,8 @@ POSTURE = (
 FACTORS = (*CONSTANTS, *POSTURE)
 
 
-def values_at(point: Sequence[float]) -> Values:
-    """The factors at a point of the unit cube, a coordinate for each of FACTORS."""
+def values_at(point: Iterable[float]) -> Values:
+    """The factors at a point of the unit cube, one coordinate for each of FACTORS."""
     return {f.name: f.at(float(share)) for f, share in zip(FACTORS, point, strict=True)}
 
 
@@ -78,7 +78,7 @@ def constants_of(values: Mapping[str, float]) -> dict[str, float]:
 
 
 def activation_of(values: Mapping[str, float]) -> dict[str, float]:
-    """The posture in which the norms are read, rounded."""
+    """The activation at which the norms are read, rounded."""
     found = {name: round(float(values[name]), HUNDREDTHS) for name in ("ct", "ta", "pca")}
     return dict.fromkeys(("lca", "ia"), round(float(values["lca_ia"]), HUNDREDTHS)) | found
 
@@ -91,8 +91,10 @@ def base_of(values: Mapping[str, float]) -> Simulation:
 def request_of(constants: Mapping[str, float], activation: Mapping[str, float]) -> Simulation:
     """A request with these, two-way coupled, all other constants the paper's."""
     document: dict[str, Any] = {
-        "model": {"coupling": "two_way"}, "activation": dict(activation), "constants": dict(constants),
-    }  # fmt: skip
+        "model": {"coupling": "two_way"},
+        "activation": dict(activation),
+        "constants": dict(constants),
+    }
     return resolve(document)
 
 

@@ -8,19 +8,20 @@ from dataclasses import dataclass
 from math import log2
 
 from vocalis.studies.norms.efforts import EFFORTS_PA, LEVEL_PA, THRESHOLD_PA
-from vocalis.studies.norms.voice import NO_VOICE, Voice
+from vocalis.studies.norms.reading import NO_VOICE, NormReading
 
 HOLMBERG = "Holmberg, Hillman & Perkell (1988), mean ± 2 SD, approximate"
 BJORKLUND = "Björklund & Sundberg (2016)"
 NORMAL = "normal"
-Runs = Mapping[str, Voice]
+Runs = Mapping[str, NormReading]
+Range = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
 class Norm:
     """One norm: ``low`` to ``high`` in ``unit`` at an ``effort`` (soft, normal, loud, or across efforts).
 
-    ``measured``: how the model's number is made, in words; ``read``: the same as a function of the runs.
+    ``measured``: definition of the model's number in words; ``read``: the same as a function of the runs.
     """
 
     key: str
@@ -67,7 +68,7 @@ def _threshold_kpa(runs: Runs) -> float:
 MASK = "flow low-passed at 1 kHz, as a mask sees it"
 
 
-def _flow_rows(effort: str, ac, mfdr, low, open_quotient) -> tuple[Norm, ...]:
+def _flow_rows(effort: str, ac: Range, mfdr: Range, low: Range, open_quotient: Range) -> tuple[Norm, ...]:
     """AC flow, MFDR, minimum flow and open quotient of one effort, each (low, high)."""
     suffix = "" if effort == NORMAL else f"_{effort}"
     return (
@@ -76,7 +77,7 @@ def _flow_rows(effort: str, ac, mfdr, low, open_quotient) -> tuple[Norm, ...]:
              _flow("mfdr_l_s2", effort)),
         Norm(f"min{suffix}", "DC", "minimum flow", "mL/s", effort, *low, 0, HOLMBERG, MASK, _flow("min_ml_s", effort)),
         Norm(f"oq{suffix}", "OQ", "open quotient of the flow", "1", effort, *open_quotient, 2, HOLMBERG,
-             f"{MASK}; open: above 20 % of the swing", _flow("open_quotient", effort)),
+             f"{MASK}; open: above 20 % of the AC flow", _flow("open_quotient", effort)),
     )  # fmt: skip
 
 
@@ -84,7 +85,7 @@ _ROWS = (
     Norm("fo", "f_o", "fundamental frequency", "Hz", NORMAL, 85, 155, 0,
          "Baken & Orlikoff (2000), habitual pitch of men, approximate", "catalogue", _catalogue("fo_hz", NORMAL)),
     Norm("sq", "SQ", "speed quotient of the flow", "1", NORMAL, 0.9, 2.8, 2, HOLMBERG,
-         f"{MASK}; rising over falling time above 20 % of the swing", _flow("speed_quotient", NORMAL)),
+         f"{MASK}; rising over falling time above 20 % of the AC flow", _flow("speed_quotient", NORMAL)),
     Norm("cq", "CQ", "closed quotient of the area", "1", NORMAL, 0.3, 0.6, 2,
          "Mehta et al. (2010): half of the cycle in healthy adults; range approximate", "catalogue",
          _catalogue("closed_quotient", NORMAL)),
@@ -111,5 +112,5 @@ _ROWS = (
     *_flow_rows("loud", (200, 560), (150, 810), (20, 220), (0.4, 0.7)),
 )  # fmt: skip
 NORMS: dict[str, Norm] = {norm.key: norm for norm in _ROWS}
-#: The fifteen of normal effort; the others say how the voice changes with effort.
+#: The fifteen norms of normal effort; the others describe changes with effort.
 FIFTEEN = tuple(norm.key for norm in _ROWS if norm.effort not in ("soft", "loud"))

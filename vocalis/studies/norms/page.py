@@ -12,7 +12,7 @@ _DASH = "–"
 
 
 def tables(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, str]:
-    """The generated tables by the name of their marks; ``documents`` by name as shipped."""
+    """The generated tables by the name of their marks; ``documents``: the shipped documents by name."""
     norms, claims, coupling = (documents[name] for name in ("norms", "claims", "coupling"))
     return {
         "norms": markdown(*rows(norms)),
@@ -43,7 +43,7 @@ def _table(header: Sequence[str], lines) -> str:
 
 
 def _constants(variant: str, besides: str | None = None) -> str:
-    """What a variant changes in the paper's larynx; ``besides`` another variant, only the rows that differ."""
+    """The constants that a variant changes; with ``besides``, only those that differ from that variant."""
     meta = {name: constant.metadata for name, constant in CONSTANTS.items()}
     known = VARIANTS[besides].changes if besides else ()
     return _table(
@@ -97,9 +97,13 @@ def _vowels(pairs: Sequence[Mapping[str, Any]]) -> str:
         for way in ("one_way", "two_way"):
             e = pair[way]
             numbers = (
-                (e["fo_hz"], 1), (e["skew"], 2), (e["ac_flow_ml_s"], 0), (e["mfdr_l_s2"], 0), (e["peak_area_mm2"], 1),
+                (e["fo_hz"], 1),
+                (e["skew"], 2),
+                (e["ac_flow_ml_s"], 0),
+                (e["mfdr_l_s2"], 0),
+                (e["peak_area_mm2"], 1),
                 (e["spl_30cm_db"], 1),
-            )  # fmt: skip
+            )
             cells = (_DASH if v is None else f"{v:.{digits}f}" for v, digits in numbers)
             lines.append((pair["variant"], f"/{pair['vowel']}/", way, e["state"], *cells))
     return _table(

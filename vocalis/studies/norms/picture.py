@@ -1,4 +1,4 @@
-"""One picture: glottal flow and sound spectrum of three vowels, one-way against two-way coupling."""
+"""A picture of glottal flow and sound spectrum of three vowels with one-way and two-way coupling."""
 
 from collections.abc import Sequence
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from vfcore.runs.result import SimulationResult
 from vocalis.studies.norms.coupling import Pair
-from vocalis.studies.paper.pictures.plot import WIDTH, Axis, Plot, spanning
+from vocalis.studies.paper.pictures.plot import WIDTH, Plot, PlotAxis, spanning
 
 COLORS = {"one_way": "#1f6fb2", "two_way": "#c8501e"}
 SHOWN_S, HIGHEST_HZ, DEEPEST_DB = 0.02, 5000.0, 70.0
@@ -36,14 +36,14 @@ def _flow(pair: Pair) -> Plot:
     waves = []
     for way, result in _both(pair):
         rate = result.provenance.sample_rate_hz
-        # Both begin where the glottis is smallest, so that the two pulses lie on top of each other.
+        # Both start where the glottis is smallest, so that the two pulses overlap.
         area, flow = result.arrays["glottal_area_m2"], result.arrays["glottal_flow_m3_s"]
         first = len(area) // 2
         first += int(area[first : first + round(SHOWN_S * rate)].argmin())
         piece = flow[first : first + round(SHOWN_S * rate)] * 1e6
         waves.append((way, np.arange(len(piece)) / rate * 1e3, piece))
     y = spanning("glottal flow, mL/s", *(wave for _, _, wave in waves), zero=True)
-    plot = Plot(f"/{pair.vowel}/, {pair.variant}", Axis(0, SHOWN_S * 1e3, "time, ms"), y)
+    plot = Plot(f"/{pair.vowel}/, {pair.variant}", PlotAxis(0, SHOWN_S * 1e3, "time, ms"), y)
     for way, time, wave in waves:
         plot.line(time, wave, COLORS[way], label=way.replace("_", "-"))
     return plot
@@ -58,7 +58,9 @@ def _spectrum(pair: Pair) -> Plot:
         keep = freqs < HIGHEST_HZ
         curves.append((way, freqs[keep], level[keep]))
     top = max(float(level.max()) for _, _, level in curves)
-    plot = Plot("spectrum at 30 cm", Axis(0, HIGHEST_HZ / 1e3, "frequency, kHz"), Axis(-DEEPEST_DB, 3, "level, dB"))
+    plot = Plot(
+        "spectrum at 30 cm", PlotAxis(0, HIGHEST_HZ / 1e3, "frequency, kHz"), PlotAxis(-DEEPEST_DB, 3, "level, dB")
+    )
     for way, freqs, level in curves:
         plot.line(freqs / 1e3, np.maximum(level - top, -DEEPEST_DB), COLORS[way], label=way.replace("_", "-"))
     return plot

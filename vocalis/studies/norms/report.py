@@ -11,7 +11,7 @@ _MARK = {"pass": "pass", "deviation": "deviation", "fail": "no number"}
 
 
 def shown(norm: Norm, value: float | None) -> str:
-    """A number of a norm with its digits; a dash where there is none."""
+    """A number with the digits of its norm; a dash for None."""
     return "–" if value is None else f"{value:.{norm.decimals}f}"
 
 
@@ -21,7 +21,7 @@ def limits(norm: Norm) -> str:
 
 
 def verdict_text(row: Mapping[str, Any]) -> str:
-    """pass, or how far the number is out of range."""
+    """ "pass", or the distance of the number from the range."""
     return _MARK[row["verdict"]] + (f" ({row['beyond']})" if row["verdict"] == "deviation" else "")
 
 
@@ -38,7 +38,7 @@ def rows(document: Mapping[str, Any]) -> tuple[tuple[str, ...], list[tuple[str, 
 
 
 def summary(document: Mapping[str, Any]) -> list[str]:
-    """One sentence per column."""
+    """One sentence per column: how many norms are in range."""
     return [
         f"{name}: {column['in_range']} of {column['of']} norms of normal effort in range"
         for name, column in document["columns"].items()
@@ -52,7 +52,9 @@ def markdown(header: tuple[str, ...], lines: list[tuple[str, ...]]) -> str:
 
 
 def calibration_rows(document: Mapping[str, Any], which: str = "best") -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """Sets of the calibration study judged in full, its ``best`` or its ``front``: norms, claims, factors, misses."""
+    """Header and lines of the sets of the calibration study, its ``best`` or its ``front``: norms, claims, factors,
+    misses.
+    """
     names = [*document[which][0]["constants"], "lca_ia", "ct", "ta", "pca"]
     header = ("norms in range", "claims: pass / deviation / fail", "lost", "kept", *names, "norms missed",
               "claims that fail")  # fmt: skip
@@ -68,9 +70,14 @@ def _calibration_row(candidate: Mapping[str, Any], names: Sequence[str]) -> tupl
     factors = candidate["constants"] | candidate["activation"] | {"lca_ia": candidate["activation"]["lca"]}
     counts = " / ".join(str(candidate["score"][verdict]) for verdict in Verdict)
     return (
-        str(candidate["in_range"]), counts, ", ".join(candidate["lost"]) or "none", str(candidate["kept"]),
-        *(f"{factors[name]:.3g}" for name in names), ", ".join(missed), ", ".join(candidate["failed"]),
-    )  # fmt: skip
+        str(candidate["in_range"]),
+        counts,
+        ", ".join(candidate["lost"]) or "none",
+        str(candidate["kept"]),
+        *(f"{factors[name]:.3g}" for name in names),
+        ", ".join(missed),
+        ", ".join(candidate["failed"]),
+    )
 
 
 _STYLE = """
@@ -85,11 +92,11 @@ def html(document: Mapping[str, Any]) -> str:
     header, lines = rows(document)
     head = "".join(f"<th>{escape(cell)}</th>" for cell in header)
     body = "".join(f"<tr>{''.join(map(_cell, line))}</tr>" for line in lines)
-    told = "".join(f"<p>{escape(sentence)}.</p>" for sentence in summary(document))
+    sentences = "".join(f"<p>{escape(sentence)}.</p>" for sentence in summary(document))
     made = document["provenance"]
     return (
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>Vocalis: norms</title><style>{_STYLE}</style>'
-        f"<h1>The voice against norms of men</h1>{told}<table><thead><tr>{head}</tr></thead>"
+        f"<h1>The voice compared with norms of men</h1>{sentences}<table><thead><tr>{head}</tr></thead>"
         f"<tbody>{body}</tbody></table>"
         f"<p>Model {escape(made['model_version'])}, {escape(made['created'])}.</p></html>\n"
     )

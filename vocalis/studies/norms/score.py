@@ -1,4 +1,4 @@
-"""A variant against the norms: runs, verdicts, and one plain document for JSON, HTML and the docs."""
+"""Scoring of a variant by the norms: runs, verdicts, and one plain document for JSON, HTML and the docs."""
 
 from collections.abc import Callable, Mapping
 from concurrent.futures import ProcessPoolExecutor
@@ -13,7 +13,7 @@ from vfcore.spec.simulation import Simulation
 from vfcore.spec.variants import VARIANTS
 from vocalis.studies.norms.efforts import POSTURE, requests
 from vocalis.studies.norms.norms import FIFTEEN, NORMS, Norm
-from vocalis.studies.norms.voice import NO_VOICE, FlowMeasures, Voice, voice
+from vocalis.studies.norms.reading import NO_VOICE, FlowMeasures, NormReading, reading
 from vocalis.studies.paper.bands import DEVIATION, FAIL, PASS, between
 from vocalis.studies.paper.claims.claim import Verdict
 from vocalis.studies.paper.run.document import provenance
@@ -23,24 +23,24 @@ Progress = Callable[[int, int], None]
 
 
 class _NoNumbers(dict):
-    """Measures of a run without an answer: every one is NaN."""
+    """Measures of a run without an answer: all NaN."""
 
     def __missing__(self, key: str) -> float:
         return nan
 
 
-def answer(request: Simulation) -> Voice:
-    """One run reduced to its numbers, in a worker; a run without an answer has none."""
+def answer(request: Simulation) -> NormReading:
+    """The numbers of one run; NaN for a run without an answer. Runs in a worker."""
     try:
-        return voice(simulate(request))
+        return reading(simulate(request))
     except VocalisError:
-        return Voice(NO_VOICE, _NoNumbers(), FlowMeasures())
+        return NormReading(NO_VOICE, _NoNumbers(), FlowMeasures())
 
 
 def judge(norm: Norm, value: float) -> tuple[Verdict, str]:
-    """pass within the range, deviation beyond it with its size, fail without a number."""
+    """ "pass" within the range, "deviation" with its size outside, "fail" without a number."""
     if not isfinite(value):
-        return FAIL, "no number: no voice that can be followed"
+        return FAIL, "no number: no trackable voice"
     verdict = between(value, (norm.low, norm.high), (-float("inf"), float("inf")))
     if verdict is PASS:
         return PASS, ""
@@ -51,7 +51,7 @@ def judge(norm: Norm, value: float) -> tuple[Verdict, str]:
 def score_variant(
     variant: str, coupling: str | None, pool: ProcessPoolExecutor, progress: Progress = lambda done, total: None
 ) -> dict[str, Any]:
-    """Run and judge one variant; ``coupling`` None: the one it is meant with."""
+    """Run and judge one variant; ``coupling`` None: that of the variant."""
     choice = {"variant": variant, "coupling": coupling or VARIANTS[variant].coupling}
     base = resolve({"model": choice, "activation": asdict(POSTURE)})
     return score_base(base, pool, progress)
@@ -74,7 +74,7 @@ def score_base(
     }
 
 
-def judged(runs: Mapping[str, Voice]) -> dict[str, Any]:
+def judged(runs: Mapping[str, NormReading]) -> dict[str, Any]:
     """Every norm with its number, and how many of the fifteen are in range."""
     rows = {}
     for key, norm in NORMS.items():

@@ -1,9 +1,8 @@
-"""The shipped results and the tables of docs/human.md and of the notebook, in a source tree (an installed package has
-no docs/).
+"""Writes the shipped results and the tables of docs/human.md and of the notebook. Needs a source tree.
 
-`python -m vocalis.studies.norms.ship` runs norms, claims and coupling anew and writes all (two or three minutes), with
-`--study` also the calibration (half an hour on two cores more); with `--text` it writes the tables alone, from the
-shipped results.
+`python -m vocalis.studies.norms.ship` runs norms, claims and coupling and writes results and tables (two or three
+minutes). With `--study` it also runs the calibration (another half an hour on two cores). With `--text` it writes only
+the tables, from the shipped results.
 """
 
 import json
@@ -37,12 +36,12 @@ CLAIMED = (("paper", "one_way"), ("paper", "two_way"), ("human", "two_way"))
 
 
 def norms(pool: ProcessPoolExecutor) -> dict[str, Any]:
-    """Every column against the norms."""
+    """The document of the norms, all columns."""
     return norms_document({f"{variant}, {way}": score_variant(variant, way, pool) for variant, way in COLUMNS})
 
 
 def claims(pool: ProcessPoolExecutor) -> dict[str, Any]:
-    """The paper's claims but its cost, on the variants with each coupling."""
+    """The claims of the paper except its cost, on the variants with each coupling."""
     columns = {}
     for variant, way in CLAIMED:
         base = resolve({"model": {"variant": variant, "coupling": way}})
@@ -67,7 +66,7 @@ def _fo_map(maps) -> dict[str, Any]:
 
 
 def coupling(pool: ProcessPoolExecutor) -> dict[str, Any]:
-    """What two-way coupling does, and how it holds; writes the picture as well."""
+    """The document on two-way coupling; writes the picture as well."""
     found = pairs()
     write_bytes(PICTURE, picture([pair for pair in found if pair.variant == "human"]).encode())
     return {
@@ -84,8 +83,11 @@ def coupling(pool: ProcessPoolExecutor) -> dict[str, Any]:
 
 
 MADE: dict[str, Callable[[ProcessPoolExecutor], dict[str, Any]]] = {
-    "norms": norms, "claims": claims, "coupling": coupling, "calibration": study_document,
-}  # fmt: skip
+    "norms": norms,
+    "claims": claims,
+    "coupling": coupling,
+    "calibration": study_document,
+}
 
 
 def shipped(name: str) -> dict[str, Any]:

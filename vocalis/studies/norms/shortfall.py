@@ -1,9 +1,9 @@
-"""How far a set of constants is from what is wanted, as one number to search by: graded, so that better is seen.
+"""The objective of the calibration: the shortfall of a set of constants as one graded number.
 
-Verdicts are steps; a search needs slopes. Norms count by how far they are out of range, the claims that the constants
-of ``human`` used to lose by the distance of their numbers to a band, every other claim by its verdict. Maps are coarse
-here and runs half as long, which flatters: the aims lie inside the bands of the claims. No number of this file decides
-on what is adopted; that is judged on full maps (vocalis.studies.norms.calibration).
+Verdicts are steps, but a search needs slopes. Norms count by their distance from the range, the claims that ``human``
+used to lose (AIMS) by the distance of their numbers from a band, all other claims by their verdict. Coarse maps and
+half as long runs give better numbers than full ones, so the aims are stricter than the bands of the claims. The
+shortfall does not decide which set is adopted; that is judged on full maps (vocalis.studies.norms.calibration).
 """
 
 from collections.abc import Callable, Mapping
@@ -16,35 +16,38 @@ from vfcore.spec.simulation import Simulation
 from vocalis.studies.norms.efforts import THRESHOLD_PA, requests
 from vocalis.studies.norms.factors import Values, base_of, values_at
 from vocalis.studies.norms.norms import FIFTEEN, NORMS
+from vocalis.studies.norms.reading import NO_VOICE
 from vocalis.studies.norms.score import answer, judged
-from vocalis.studies.norms.voice import NO_VOICE
 from vocalis.studies.paper.bands import DEVIATION, FAIL, PASS
-from vocalis.studies.paper.cases import CASES, Axis, Case, evenly
-from vocalis.studies.paper.claims.claim import Outcome
+from vocalis.studies.paper.cases import CASES, Case, MuscleAxis, evenly
+from vocalis.studies.paper.claims.claim import ClaimOutcome
 from vocalis.studies.paper.run.gather import Failure, gather_here
 from vocalis.studies.paper.run.score import judge
 from vocalis.studies.paper.study.designed import PHYSICS
 
 WANTED = 12
 RUN_S = 0.5
-#: M2 and M3 are the paper's own numbers, which a voice of another size need not have; the others are trends and shapes.
+#: All claims but M2 and M3, numbers of the paper that do not hold for a voice of another size.
 TRENDS = {key: claim for key, claim in PHYSICS.items() if key not in ("M2", "M3")}
-RANK = {PASS: 0, DEVIATION: 1, FAIL: 2}
-#: Runs in the order of what they cost per thing learnt; a set that can no longer win is not run any further.
+RANK: dict[str, int] = {PASS: 0, DEVIATION: 1, FAIL: 2}
+#: Groups of runs, the cheapest per claim first; a set that can no longer win is not run further.
 STAGES = (
-    ("static_adduction", "static_ta", "static_ct", "static_pca", "modal"), ("pca_half", "pca_full"), ("ct_ta_map",),
+    ("static_adduction", "static_ta", "static_ct", "static_pca", "modal"),
+    ("pca_half", "pca_full"),
+    ("ct_ta_map",),
     ("pca_sweep",),
-)  # fmt: skip
+)
 #: Cells of the map: CT by TA.
 COARSE = (evenly(5), evenly(10))
-#: One of the wanted norms a range's width away; one of the others; a claim worse than allowed; a claim short of pass.
+#: Cost of a WANTED norm a range's width away, of any other norm, of a claim worse than allowed, of a claim short of
+#: pass.
 MISSED, SPARE, WORSE, SHORT = 3.0, 0.05, 0.7, 0.1
-#: Flow that peaks after the area by a tenth of a cycle.
+#: Cost of each cycle by which the flow peaks after the area.
 LATE = 3.0
 
 
 class Aim(NamedTuple):
-    """A number of a claim: its aims, what a miss costs per unit, and at most."""
+    """A number of a claim: the aimed range, the cost of a miss per unit, and the largest cost."""
 
     part: str
     low: float
@@ -65,8 +68,8 @@ AIMS = {
 
 
 class Tried(NamedTuple):
-    """``total``: the shortfall; ``whole``: every stage was run; ``norms`` in range and their ``values``; the aims'
-    ``numbers``.
+    """``total``: the shortfall; ``whole``: whether every stage was run; ``norms``: how many are in range; ``values``:
+    theirs; ``numbers``: those of the aims.
     """
 
     total: float
@@ -76,13 +79,16 @@ class Tried(NamedTuple):
     numbers: dict[str, float]
 
 
-def shortfall(allowed: Mapping[str, int], voice_s: float, point: np.ndarray, bar: float) -> Tried:
-    """Run and grade the set at a point of the unit cube until it is beyond ``bar``.
+def shortfall(allowed: Mapping[str, int], voice_s: float, point: np.ndarray, limit: float) -> Tried:
+    """Run and grade the set at a point of the unit cube, stopping once the total exceeds ``limit``.
 
-    ``allowed``: the ranks of the claims that count as not lost; ``voice_s``: the length of the paper's three voices.
+    ``allowed``: the worst rank of each claim that does not count as lost; ``voice_s``: duration of the paper's three
+    voices.
     """
     values = values_at(point)
-    total, norms, read, numbers = 0.0, 0, {}, {}
+    total, norms = 0.0, 0
+    read: dict[str, float | None] = {}
+    numbers: dict[str, float] = {}
     graded = [_claims(keys, allowed, voice_s) for keys in STAGES]
     for stage in (graded[0], _norms, *graded[1:]):
         short, found = stage(values)
@@ -91,7 +97,7 @@ def shortfall(allowed: Mapping[str, int], voice_s: float, point: np.ndarray, bar
             norms, read = found["in_range"], {key: found["norms"][key]["value"] for key in FIFTEEN}
         else:
             numbers |= found
-        if total > bar:
+        if total > limit:
             return Tried(total, False, norms, read, numbers)
     return Tried(total, True, norms, read, numbers)
 
@@ -104,7 +110,7 @@ def _norms(values: Values) -> tuple[float, dict[str, Any]]:
 
 
 def voices(base: Simulation) -> dict[str, Any]:
-    """The runs of the norms; above the threshold no further pressure is tried."""
+    """The runs of the norms; pressures above the threshold are not tried."""
     wanted = requests(base)
     found = {name: answer(request) for name, request in wanted.items() if not name.startswith("threshold")}
     voiced = None
@@ -117,7 +123,7 @@ def voices(base: Simulation) -> dict[str, Any]:
 
 
 def distances(rows: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
-    """How far each of the fifteen lies out of its range, in widths of the range, at most 1; 1 without a number."""
+    """Distance of each of the fifteen norms from its range, in widths of the range, at most 1; 1 without a number."""
     found = {}
     for key in FIFTEEN:
         norm, value = NORMS[key], rows[key]["value"]
@@ -140,20 +146,20 @@ def _claims(
         for key, outcome in outcomes.items():
             rank = RANK[outcome.verdict]
             short += SHORT * rank + (WORSE * max(rank - allowed[key], 0) if key not in AIMS else 0.0)
-        if "M9" in numbers and not numbers["M9"] > 0.0:  # no dip yet: the sooner the flow peaks, the nearer
+        if "M9" in numbers and not numbers["M9"] > 0.0:  # no dip yet: graded by the delay of the flow peak
             short += LATE * _lateness(found["modal"])
         return short, numbers
 
     return graded
 
 
-def _number(outcome: Outcome, part: str) -> float:
+def _number(outcome: ClaimOutcome, part: str) -> float:
     found = next((m.value for m in outcome.measured if m.name == part), None)
     return float("nan") if found is None else float(found)
 
 
 def _lateness(voice) -> float:
-    """By what part of a cycle the flow peaks after the area."""
+    """Delay of the flow peak after the area peak, in cycles."""
     if isinstance(voice, Failure):
         return 0.5
     count = len(voice.area_m2)
@@ -168,7 +174,9 @@ def _lasting(base: Simulation, seconds: float) -> Simulation:
 def _coarse(case: Case, base: Simulation, voice_s: float) -> Case:
     case = replace(case, base=_lasting(base, voice_s if case.kind == "voice" else RUN_S))
     if case.kind == "map":
-        return replace(case, axes=tuple(Axis(axis.muscles, at) for axis, at in zip(case.axes, COARSE, strict=True)))
+        return replace(
+            case, axes=tuple(MuscleAxis(axis.muscles, at) for axis, at in zip(case.axes, COARSE, strict=True))
+        )
     if case.kind == "sweep":
-        return replace(case, axes=(Axis(case.axes[0].muscles, evenly(10)),))
+        return replace(case, axes=(MuscleAxis(case.axes[0].muscles, evenly(10)),))
     return case

@@ -1,11 +1,11 @@
-"""The paper's claims as numbers: what each one says, how it is tested, and what counts as holding.
+"""The claims of the paper as numeric tests, and what runs they need.
 
-A claim is a row of ``CLAIMS``. Its check is a function of plain data (``vocalis.studies.paper.evidence``) and never
-runs anything; ``CASES`` names the runs whose results it needs.
+A claim is a row of ``CLAIMS``. Its check is a pure function of evidence (``vocalis.studies.paper.evidence``); ``CASES``
+names the runs that give the evidence.
 """
 
 from vocalis.studies.paper.cases import CASES, Case
-from vocalis.studies.paper.claims.claim import Claim, Measured, Outcome, Verdict
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome, Measured, Verdict
 from vocalis.studies.paper.claims.registry import CLAIMS
 
-__all__ = ["CASES", "CLAIMS", "Case", "Claim", "Measured", "Outcome", "Verdict"]
+__all__ = ["CASES", "CLAIMS", "Case", "Claim", "Measured", "ClaimOutcome", "Verdict"]

@@ -1,12 +1,12 @@
-"""Three bands for one number, and one verdict for a claim of several parts: that of its worst part.
+"""Bands of a number for pass, deviation and fail; the verdict of a claim is that of its worst part.
 
-A part without a number (NaN) fails. Bounds are met by equality, up to rounding.
+A part without a number (NaN) fails. Bounds are inclusive, up to rounding.
 """
 
 import math
 from typing import NamedTuple
 
-from vocalis.studies.paper.claims.claim import Measured, Outcome, Verdict
+from vocalis.studies.paper.claims.claim import ClaimOutcome, Measured, Verdict
 
 PASS, DEVIATION, FAIL = Verdict.PASS, Verdict.DEVIATION, Verdict.FAIL
 ROUNDING = 1e-9
@@ -14,7 +14,7 @@ _ORDER = (PASS, DEVIATION, FAIL)
 
 
 class Part(NamedTuple):
-    """One requirement of a claim: its number, what was found as a clause, and its own verdict."""
+    """One requirement of a claim: its number, the finding as a clause, and its verdict."""
 
     name: str
     value: float | str
@@ -53,14 +53,14 @@ def worst(*verdicts: Verdict) -> Verdict:
     return max(verdicts, key=_ORDER.index)
 
 
-def conclude(*parts: Part) -> Outcome:
-    """The outcome of a claim: its worst part decides; unless all pass, only parts that do not are put into words."""
+def conclude(*parts: Part) -> ClaimOutcome:
+    """The outcome of a claim. The sentence names all parts if all pass, otherwise only those that do not."""
     verdict = worst(*(part.verdict for part in parts))
-    told = [_clause(part) for part in parts if verdict is PASS or part.verdict is not PASS]
-    sentence = "; ".join(told)
+    clauses = [_clause(part) for part in parts if verdict is PASS or part.verdict is not PASS]
+    sentence = "; ".join(clauses)
     if not sentence.startswith("f_o"):  # a symbol keeps its case
         sentence = sentence[:1].upper() + sentence[1:]
-    return Outcome(verdict, tuple(_measured(part) for part in parts), f"{sentence}.")
+    return ClaimOutcome(verdict, tuple(_measured(part) for part in parts), f"{sentence}.")
 
 
 def _clause(part: Part) -> str:

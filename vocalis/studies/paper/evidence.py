@@ -1,4 +1,4 @@
-"""What the checks look at: plain arrays of case results, and how they are taken from what vfcore returns.
+"""Evidence of the checks: plain arrays, extracted from the results of vfcore.
 
 SI units. A measure that could not be computed is NaN.
 """
@@ -24,10 +24,10 @@ class StaticSeries(NamedTuple):
     medial_m: np.ndarray  # (n, nx, ny) medial plane G
 
 
-class Voice(NamedTuple):
+class VoiceCycle(NamedTuple):
     """One run: phonation state, measures by key, static shape, and one cycle at p phases.
 
-    ``repeats`` is False when the run holds no cycle to follow; the cycle arrays then hold the last 10 ms.
+    ``repeats`` is False if the run has no trackable cycle; the cycle arrays then hold the last 10 ms.
     """
 
     state: str
@@ -93,11 +93,11 @@ def static_series(levels: Sequence[float], shapes: Sequence[StaticShape]) -> Sta
     )
 
 
-def voice(result: SimulationResult) -> Voice:
-    """The parts of a run that the checks read; waveforms at the phases of the stored cycle."""
+def voice_cycle(result: SimulationResult) -> VoiceCycle:
+    """The evidence of a run; waveforms at the phases of the stored cycle."""
     a = result.arrays
     at = a["cycle_time_s"]
-    return Voice(
+    return VoiceCycle(
         result.report.state,
         result.report.explanation,
         result.cycle_is_complete,

@@ -1,11 +1,11 @@
-"""Shape of the glottis from displacements and medial planes, ``(…, nx, ny)``, and its split into phases."""
+"""Shape of the glottis from displacements and medial planes, ``(…, nx, ny)``, and the phases of its cycle."""
 
 import numpy as np
 
 from vfcore.fold.closure import CLOSED_GAP_M
 from vfcore.measures.cycles import CLOSED_FRACTION
 
-#: Full gap up to which a slice counts as closed; the bound of the project's closure patterns.
+#: Full gap up to which a slice is closed; the limit of the closure patterns of vfcore.
 CLOSED_M = CLOSED_GAP_M
 
 
@@ -15,7 +15,7 @@ def full_gap(w_m: np.ndarray, medial_m: np.ndarray) -> np.ndarray:
 
 
 def slice_gap(w_m: np.ndarray, medial_m: np.ndarray) -> np.ndarray:
-    """Smallest gap of each slice, (…, nx), m: what lets air pass there."""
+    """Smallest gap of each slice, (…, nx), m."""
     return full_gap(w_m, medial_m).min(axis=-1)
 
 
@@ -25,14 +25,14 @@ def at_place(values: np.ndarray, x_m: np.ndarray, x_over_l: float) -> np.ndarray
 
 
 def weights(nodes_m: np.ndarray) -> np.ndarray:
-    """Length that each node of an even grid stands for (half at the ends), m."""
+    """Length per node of an even grid, half at the ends, m."""
     width = np.full(len(nodes_m), nodes_m[1] - nodes_m[0])
     width[[0, -1]] *= 0.5
     return width
 
 
 def posterior_share(gap_m: np.ndarray, x_m: np.ndarray) -> float:
-    """Share of the open area of one shape, gap (nx,), that lies behind mid-fold (a node there counts half).
+    """Share of the open area of one shape, gap (nx,), that is behind mid-fold (a node at mid-fold counts half).
 
     NaN if nothing is open.
     """

@@ -1,4 +1,4 @@
-"""Trends over maps ``(n, m)`` with NaN where nothing is to be judged. Axis 0 is CT, axis 1 is TA."""
+"""Trends over maps ``(n, m)``, NaN in cells that are not judged. Axis 0 is CT, axis 1 is TA."""
 
 import warnings
 
@@ -54,7 +54,7 @@ def smoothed(values: np.ndarray) -> np.ndarray:
 
 
 def valley_depth(line: np.ndarray) -> float:
-    """How far the deepest place of ``line`` lies below the lower of the summits on its two sides; 0 without one."""
+    """Depth of the deepest valley of ``line`` below the lower of the maxima on its two sides; 0 without one."""
     left = np.maximum.accumulate(line)
     right = np.maximum.accumulate(line[::-1])[::-1]
     return float((np.minimum(left, right) - line).max())

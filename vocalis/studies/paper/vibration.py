@@ -1,11 +1,11 @@
-"""How a fold vibrates along its length, and where it touches, over one cycle."""
+"""Modes of a fold along its length, and the places of contact, over one cycle."""
 
 import numpy as np
 from scipy.fft import dst
 
-from vocalis.studies.paper.evidence import Voice
+from vocalis.studies.paper.evidence import VoiceCycle
 
-#: Contact weaker than this share of the cycle's strongest does not count as the peak contact of a phase.
+#: Smallest peak contact of a phase, as a share of the strongest contact of the cycle.
 STRONG = 0.1
 
 
@@ -16,9 +16,9 @@ def higher_mode_share(w_m: np.ndarray) -> float:
     return float(energy[1:].sum() / max(energy.sum(), 1e-300))
 
 
-def contact_regions(voice: Voice) -> list[int]:
-    """Thirds of the length (0 anterior, 2 posterior) that the peak contact visits in one cycle, in order, from the
-    area peak on; the same third twice in a row counts once.
+def contact_regions(voice: VoiceCycle) -> list[int]:
+    """Thirds of the length (0 anterior, 2 posterior) that the peak contact visits in one cycle, in order from the area
+    peak on, without repeats.
     """
     peak = np.roll(voice.contact_pa.max(axis=2), -int(voice.area_m2.argmax()), axis=0)  # (p, nx)
     strong = peak.max(axis=1) > STRONG * max(peak.max(), 0.0)

@@ -1,15 +1,15 @@
 """Which cells of an activation map count as phonation: the paper's "physiologically relevant sustained oscillations".
 
-The paper leaves the other cells blank and does not say where it draws the line. Here a cell is voiced when
+The paper leaves the other cells blank and gives no criterion. Here a cell is voiced if
 
-1. its phonation state is periodic or subharmonic: the vibration lasts and repeats (stable, in the paper's words);
-2. the flow pulses by at least half of its mean: normal men reach 1.4 times the mean (Holmberg, Hillman & Perkell
-   1988), and below half there is breath with a ripple rather than voice;
-3. its SPL is within 20 dB of the median cell that passes 1: at one lung pressure a hundredth of the radiated power is
-   no voice of the same speaker.
+1. its phonation state is periodic or subharmonic: the vibration is sustained and repeats ("stable" in the paper);
+2. its AC flow is at least half of its mean flow: normal men reach 1.4 times the mean (Holmberg, Hillman & Perkell
+   1988), and less than half is breath with a ripple;
+3. its SPL is within 20 dB of the median of the cells that pass 1: a hundredth of the radiated power at the same lung
+   pressure is not the voice of the same speaker.
 
-All other claims on the map look at voiced cells only, as the paper's maps do. Claims on f_o leave out subharmonic
-cells too: there f_o is by definition the rate of the whole pattern, half the visible rate or less.
+All other claims on the map use voiced cells only, like the maps of the paper. Claims on f_o exclude subharmonic cells
+as well: their f_o is by definition the rate of the whole pattern, at most half the visible rate.
 """
 
 import numpy as np
@@ -20,7 +20,7 @@ from vocalis.studies.paper.evidence import ActivationMap
 STATES = ("periodic", "subharmonic")
 MIN_AC_OVER_MEAN = 0.5
 MAX_BELOW_MEDIAN_DB = 20.0
-#: A trend is judged on at least half of the map.
+#: A trend is judged on at least this share of the map.
 COVERED_GOOD, COVERED_FAIR = 0.5, 0.25
 
 
@@ -44,7 +44,12 @@ def seen(maps: ActivationMap, values: np.ndarray, states: tuple[str, ...] = STAT
 
 
 def coverage_part(values: np.ndarray) -> Part:
-    """How much of the map the claim was judged on."""
+    """The share of the map on which a claim is judged."""
     share = float(np.isfinite(values).mean())
-    return Part("judged cells", share, "of the map", f"judged on {share:.0%} of the map",
-                at_least(share, COVERED_GOOD, COVERED_FAIR))  # fmt: skip
+    return Part(
+        "judged cells",
+        share,
+        "of the map",
+        f"judged on {share:.0%} of the map",
+        at_least(share, COVERED_GOOD, COVERED_FAIR),
+    )

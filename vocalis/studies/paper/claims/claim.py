@@ -1,16 +1,16 @@
-"""A claim of the paper, and what comes of checking it."""
+"""A claim of the paper, and its outcome."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any, NamedTuple
 
-#: How a claim is best shown beside its verdict.
+#: The kinds of pictures that show a claim.
 PICTURES = ("static_shapes", "waveforms", "cycle", "map", "curve", "number")
 
 
 class Verdict(StrEnum):
-    """``pass``: as the paper says. ``deviation``: its sense holds, with a stated difference. ``fail``: neither."""
+    """``pass``: as the paper says. ``deviation``: true in substance, with a stated difference. ``fail``: neither."""
 
     PASS = "pass"
     DEVIATION = "deviation"
@@ -18,7 +18,7 @@ class Verdict(StrEnum):
 
 
 class Measured(NamedTuple):
-    """One number (or word) behind a verdict; ``value`` is None where the runs give none."""
+    """One number (or word) behind a verdict; ``value`` is None if the runs have none."""
 
     name: str
     value: float | str | None
@@ -26,8 +26,10 @@ class Measured(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
-    """``sentence``: what was found; for a deviation or a failure, only what differs from the paper."""
+class ClaimOutcome:
+    """The verdict on a claim, its numbers, and a sentence: the findings, or for a deviation or failure the
+    differences.
+    """
 
     verdict: Verdict
     measured: tuple[Measured, ...]
@@ -38,7 +40,7 @@ class Outcome:
 class Claim:
     """One claim.
 
-    ``paper_says``: in our words, with the place in the paper. ``definition``: the test in words and numbers.
+    ``paper_says``: the claim in our words, with its place in the paper. ``definition``: the test in words and numbers.
     ``check``: a pure function of the evidence of the cases in ``needs``, in that order. ``picture``: one of PICTURES.
     """
 
@@ -46,10 +48,10 @@ class Claim:
     title: str
     paper_says: str
     definition: str
-    check: Callable[..., Outcome]
+    check: Callable[..., ClaimOutcome]
     needs: tuple[str, ...]
     picture: str
 
-    def judge(self, evidence: Mapping[str, Any]) -> Outcome:
-        """The outcome, given the evidence by case. Raises KeyError for a case that is not there."""
+    def judge(self, evidence: Mapping[str, Any]) -> ClaimOutcome:
+        """The outcome, from the evidence by case; KeyError for a missing case."""
         return self.check(*(evidence[case] for case in self.needs))

@@ -1,35 +1,35 @@
-"""M5–M9: what happens within one cycle of the modal case. Longer than other files: five checks and their rows.
+"""M5–M9: what happens within one cycle of the modal case.
 
-Opening and closing phases are those in which the minimum glottal area is open (above 0.1% of its peak) and rises,
-or falls. Surface means weigh every node with the area it stands for.
+In an opening phase the minimum glottal area exceeds 0.1% of its peak and rises; in a closing phase it exceeds that and
+falls. Means over the surface weight every node by its area.
 """
 
 import numpy as np
 
 from vocalis.studies.paper.bands import DEVIATION, FAIL, PASS, Part, above, at_least, at_most, between, conclude
-from vocalis.studies.paper.claims.claim import Claim, Outcome
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome
 from vocalis.studies.paper.claims.modal import on_cycle
-from vocalis.studies.paper.evidence import Voice
+from vocalis.studies.paper.evidence import VoiceCycle
 from vocalis.studies.paper.geometry import full_gap, opening_and_closing, weights
 
 PLACE = "Exemplar case of sustained modal phonation"
-#: "Predominantly": three quarters, and no less than half.
+#: "Predominantly": three quarters; deviation: half.
 MOST, HALF = 0.75, 0.5
-#: M6: the inferior third, and the inferior half; the superior ones alike.
+#: M6: the inferior third; deviation: the inferior half; likewise at the superior edge.
 THIRD = 1.0 / 3.0
 CLIMB_GOOD, CLIMB_FAIR = 0.8, 0.6
 MIDDLE = (0.25, 0.75)
-#: M7: of the largest contact pressure, and of the cycle.
+#: M7: shares of the largest contact pressure, and of the cycle.
 SUCTION, LETTING_GO = 0.01, 0.1
-#: M8: "substantially reduced" is half; a deviation is any clear reduction.
+#: M8: "substantially reduced" is half; deviation: any clear reduction.
 REDUCED_GOOD, REDUCED_FAIR = 0.5, 0.8
 #: M9: "slight" dip before the area peak, and the difference to a scaled copy of the area.
 DIP, DIP_MOST = 0.01, 0.3
 COPY = 0.05
 
 
-def convergence_part(voice: Voice) -> tuple[Part, Part]:
-    """Shares of the opening phases in which the channel converges and of the closing ones in which it diverges."""
+def convergence_part(voice: VoiceCycle) -> tuple[Part, Part]:
+    """The share of opening phases with a convergent channel, and of closing phases with a divergent one."""
     gap = full_gap(voice.w_m, voice.medial_m)
     inlet_wider = (gap[:, :, -1] - gap[:, :, 0]) @ weights(voice.x_m)
     opening, closing = opening_and_closing(voice.area_m2)
@@ -44,12 +44,12 @@ def convergence_part(voice: Voice) -> tuple[Part, Part]:
 
 
 @on_cycle
-def converges_then_diverges(voice: Voice) -> Outcome:
+def converges_then_diverges(voice: VoiceCycle) -> ClaimOutcome:
     return conclude(*convergence_part(voice))
 
 
 @on_cycle
-def contact_climbs(voice: Voice) -> Outcome:
+def contact_climbs(voice: VoiceCycle) -> ClaimOutcome:
     x, height = voice.x_m / voice.x_m[-1], voice.y_m / voice.y_m[-1]
     middle = (x >= MIDDLE[0]) & (x <= MIDDLE[1])
     from_peak = np.roll(voice.w_m > voice.medial_m, -int(voice.area_m2.argmax()), axis=0)
@@ -65,15 +65,20 @@ def contact_climbs(voice: Voice) -> Outcome:
     lag = float(onset[-1] - onset.min()) * step_ms
     return conclude(
         Part("first contact", first, "y/b", f"contact starts at y/b {first:.2f}", at_least(first, 1 - THIRD, HALF)),
-        Part("rows in rising order", order, "1", f"{order:.0%} of the rows touch no earlier than the one below",
-             at_least(order, CLIMB_GOOD, CLIMB_FAIR)),
+        Part(
+            "rows in rising order",
+            order,
+            "1",
+            f"{order:.0%} of the rows touch no earlier than the one below",
+            at_least(order, CLIMB_GOOD, CLIMB_FAIR),
+        ),
         Part("highest row reached", top, "y/b", f"it reaches y/b {top:.2f}", at_most(top, THIRD, HALF)),
         Part("delay of the highest row", lag, "ms", f"{lag:.2f} ms later", above(lag, 0.0, 0.0)),
-    )  # fmt: skip
+    )
 
 
 @on_cycle
-def separation_sucks(voice: Voice) -> Outcome:
+def separation_sucks(voice: VoiceCycle) -> ClaimOutcome:
     p = voice.contact_pa
     phase, i, j = np.unravel_index(int(p.argmin()), p.shape)
     lowest, share = float(p.min()), float(-p.min() / max(p.max(), 1e-9))
@@ -90,7 +95,7 @@ def separation_sucks(voice: Voice) -> Outcome:
 
 
 @on_cycle
-def pressure_drives_opening(voice: Voice) -> Outcome:
+def pressure_drives_opening(voice: VoiceCycle) -> ClaimOutcome:
     node = np.outer(weights(voice.x_m), weights(voice.y_m))
     node = node / node.sum()
     opening, closing = (voice.aerodynamic_pa[phases] for phases in opening_and_closing(voice.area_m2))
@@ -115,7 +120,7 @@ def pressure_drives_opening(voice: Voice) -> Outcome:
 
 
 @on_cycle
-def flow_is_no_copy(voice: Voice) -> Outcome:
+def flow_is_no_copy(voice: VoiceCycle) -> ClaimOutcome:
     peak = int(voice.area_m2.argmax())
     to_peak = np.arange(peak - len(voice.area_m2) // 2, peak + 1)
     opening, _ = opening_and_closing(voice.area_m2)
@@ -127,10 +132,15 @@ def flow_is_no_copy(voice: Voice) -> Outcome:
     rms = float(np.sqrt(np.mean(difference**2)))
     dips = between(dip, (DIP, DIP_MOST), (-np.inf, np.inf))
     return conclude(
-        Part("rms difference to a scaled area", rms, "1", f"flow and area, each over its peak, differ by {rms:.0%} rms",
-             at_least(rms, COPY, COPY)),
+        Part(
+            "rms difference to a scaled area",
+            rms,
+            "1",
+            f"flow and area, each over its peak, differ by {rms:.0%} rms",
+            at_least(rms, COPY, COPY),
+        ),
         Part("dip of the flow by the area peak", dip, "1", f"at the area peak the flow has fallen by {dip:.1%}", dips),
-    )  # fmt: skip
+    )
 
 
 def _share(flags: np.ndarray) -> float:
@@ -139,7 +149,10 @@ def _share(flags: np.ndarray) -> float:
 
 CLAIMS = (
     Claim(
-        key="M5", title="Convergent while opening, divergent while closing", needs=("modal",), picture="cycle",
+        key="M5",
+        title="Convergent while opening, divergent while closing",
+        needs=("modal",),
+        picture="cycle",
         check=converges_then_diverges,
         paper_says="During opening the glottis is predominantly convergent, during closing predominantly divergent "
         f"({PLACE}, lower panels).",
@@ -148,7 +161,10 @@ CLAIMS = (
         f"{HALF:.0%} of each. Fail: less.",
     ),
     Claim(
-        key="M6", title="Contact starts inferiorly and travels up", needs=("modal",), picture="cycle",
+        key="M6",
+        title="Contact starts inferiorly and travels up",
+        needs=("modal",),
+        picture="cycle",
         check=contact_climbs,
         paper_says="While closing, contact begins near the inferior edge and then spreads to the superior one "
         f"({PLACE}).",
@@ -159,7 +175,10 @@ CLAIMS = (
         "otherwise, or no delay.",
     ),
     Claim(
-        key="M7", title="Contact pressure turns negative at separation", needs=("modal",), picture="cycle",
+        key="M7",
+        title="Contact pressure turns negative at separation",
+        needs=("modal",),
+        picture="cycle",
         check=separation_sucks,
         paper_says="As the folds begin to separate the contact pressure becomes negative, from the damping in the "
         f"contact law ({PLACE}).",
@@ -168,7 +187,10 @@ CLAIMS = (
         "smaller, or not followed by separation. Fail: never negative.",
     ),
     Claim(
-        key="M8", title="Air pressure pushes while opening, hardly while closing", needs=("modal",), picture="cycle",
+        key="M8",
+        title="Air pressure pushes while opening, hardly while closing",
+        needs=("modal",),
+        picture="cycle",
         check=pressure_drives_opening,
         paper_says="During opening the aerodynamic pressure on the medial surface is predominantly positive; during "
         f"closing its size is much reduced over much of the surface, except near local obstructions ({PLACE}).",
@@ -179,7 +201,10 @@ CLAIMS = (
         "otherwise.",
     ),
     Claim(
-        key="M9", title="Flow is not a scaled copy of area", needs=("modal",), picture="waveforms",
+        key="M9",
+        title="Flow is not a scaled copy of area",
+        needs=("modal",),
+        picture="waveforms",
         check=flow_is_no_copy,
         paper_says="The flow is not simply the area rescaled: it drops slightly near the end of opening and declines "
         f"unevenly during closing ({PLACE}).",
@@ -187,4 +212,4 @@ CLAIMS = (
         f"and at the area peak the flow has fallen by {DIP:.0%} to {DIP_MOST:.0%} from its own earlier peak. "
         "Deviation: they differ, without such a dip. Fail: they do not differ.",
     ),
-)  # fmt: skip
+)

@@ -1,6 +1,6 @@
-"""A5–A9: blanks, flow, level and quotients over CT and TA. Longer than other files: five checks and their rows.
+"""A5–A9: blank cells, flow, level and quotients over CT and TA.
 
-Maps are (CT, TA) and hold voiced cells only (vocalis.studies.paper.voicing).
+Maps have axes (CT, TA) and are NaN outside voiced cells (vocalis.studies.paper.voicing).
 """
 
 import numpy as np
@@ -17,31 +17,31 @@ from vocalis.studies.paper.bands import (
     between,
     conclude,
 )
-from vocalis.studies.paper.claims.claim import Claim, Outcome, Verdict
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome, Verdict
 from vocalis.studies.paper.evidence import ActivationMap
 from vocalis.studies.paper.trends import lines, median_range, median_spearman, rising_share, smoothed, valley_depth
 from vocalis.studies.paper.voicing import COVERAGE, MAX_BELOW_MEDIAN_DB, MIN_AC_OVER_MEAN, coverage_part, seen, voiced
 
 PLACE = "Phonatory measures as functions of CT and TA activation"
 CT, TA = 0, 1
-#: A5: blank regions are more than a stray cell, less than half of the map; "primarily" at high TA.
+#: A5: blank regions are more than single cells and less than half of the map; "primarily" at high TA.
 BLANK_GOOD, BLANK_FAIR = (0.01, 0.5), (1e-6, 0.75)
 PRIMARILY, MORE_THAN_CHANCE = 0.75, 0.6
 #: A6: "generally", and "relatively modest" against the effect of TA.
 GENERALLY_GOOD, GENERALLY_FAIR = 0.8, 0.6
 MODEST_GOOD, MODEST_FAIR = 0.5, 1.0
-#: A7: a valley counts from 1 dB, about the smallest difference in level one hears.
+#: A7: a valley is at least 1 dB deep, about the smallest audible difference in level.
 VALLEY_DB, VALLEY_LINES_GOOD, VALLEY_LINES_FAIR = 1.0, 0.5, 0.25
 #: A8: the highest tenth of SQ, in the lowest third of CT; "tends to" as a rank correlation.
 TOP, LOW_CT, TOP_GOOD, TOP_FAIR = 90.0, 1.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0
 TENDS = 0.5
-#: A9: a difference in CQ counts from the tolerance of M3; the paper's diagonal has its end at TA 0.8, CT 0.4.
+#: A9: a difference in CQ is at least the tolerance of M3; the paper's diagonal ends at TA 0.8, CT 0.4.
 CQ_STEP, DIAGONAL_TA_PER_CT, BESIDE = 0.03, 2.0, 0.1
 DIAGONAL_CT = (0.15, 0.4)
 ROWS_GOOD, ROWS_FAIR = 2.0 / 3.0, 1.0 / 3.0
 
 
-def high_ta_is_blank(maps: ActivationMap) -> Outcome:
+def high_ta_is_blank(maps: ActivationMap) -> ClaimOutcome:
     blank = ~voiced(maps)
     share = float(blank.mean())
     silent = float((maps.state == "none").mean())
@@ -54,13 +54,14 @@ def high_ta_is_blank(maps: ActivationMap) -> Outcome:
         Part("silent cells", silent, "of the map", f"{silent:.1%} is silent", PASS),
         Part("blank cells at TA ≥ 0.5", high, "1", f"{high:.0%} of the blank cells have TA ≥ 0.5",
              at_least(high, PRIMARILY, MORE_THAN_CHANCE)),
-        # The text names the lost tension as the cause, not low CT itself: elsewhere in CT is a deviation at most.
+        # The text gives the lost tension as the cause, not low CT itself, so blank cells at high CT are at most a
+        # deviation.
         Part("blank cells at CT ≤ 0.5", low, "1", f"{low:.0%} of them have CT ≤ 0.5",
              at_least(low, MORE_THAN_CHANCE, 0.0)),
     )  # fmt: skip
 
 
-def ta_lowers_flow(maps: ActivationMap) -> Outcome:
+def ta_lowers_flow(maps: ActivationMap) -> ClaimOutcome:
     flow = seen(maps, maps.mean_flow_ml_s)
     falling = rising_share(-flow, TA)
     by_ct, by_ta = median_range(flow, CT, relative=True), median_range(flow, TA, relative=True)
@@ -75,7 +76,7 @@ def ta_lowers_flow(maps: ActivationMap) -> Outcome:
     )  # fmt: skip
 
 
-def loud_at_high_ct(maps: ActivationMap) -> Outcome:
+def loud_at_high_ct(maps: ActivationMap) -> ClaimOutcome:
     spl = seen(maps, maps.spl_lips_db)
     high_ct, low_ta = maps.ct >= 0.5 - ROUNDING, maps.ta <= 0.5 + ROUNDING
     means = {
@@ -99,7 +100,7 @@ def loud_at_high_ct(maps: ActivationMap) -> Outcome:
     )  # fmt: skip
 
 
-def sq_falls_with_ct(maps: ActivationMap) -> Outcome:
+def sq_falls_with_ct(maps: ActivationMap) -> ClaimOutcome:
     sq = seen(maps, maps.speed_quotient)
     if not np.isfinite(sq).any():
         return conclude(coverage_part(sq))
@@ -119,7 +120,7 @@ def _tends_to_fall(correlation: float) -> Verdict:
     return PASS if correlation <= -TENDS + ROUNDING else below(correlation, -TENDS, 0.0)
 
 
-def cq_has_two_low_regions(maps: ActivationMap) -> Outcome:
+def cq_has_two_low_regions(maps: ActivationMap) -> ClaimOutcome:
     cq = seen(maps, maps.closed_quotient)
     if not np.isfinite(cq).any():
         return conclude(coverage_part(cq))
@@ -140,7 +141,7 @@ def cq_has_two_low_regions(maps: ActivationMap) -> Outcome:
 
 
 def _diagonal_is_low(row: np.ndarray, ta: np.ndarray, ct: float) -> bool:
-    """Whether CQ on the diagonal lies CQ_STEP below its largest value on each side, TA = 0 itself left out."""
+    """Whether CQ on the diagonal is CQ_STEP below its largest value on each side, without TA = 0."""
     offset = ta - DIAGONAL_TA_PER_CT * ct
     on, before, after = np.abs(offset) <= BESIDE + ROUNDING, offset < -BESIDE - ROUNDING, offset > BESIDE + ROUNDING
     groups = [row[where & np.isfinite(row)] for where in (on, before & (ta > 0.0), after)]
@@ -156,7 +157,10 @@ def _mean(values: np.ndarray) -> float:
 
 CLAIMS = (
     Claim(
-        key="A5", title="No sustained phonation at high TA", needs=("ct_ta_map",), picture="map",
+        key="A5",
+        title="No sustained phonation at high TA",
+        needs=("ct_ta_map",),
+        picture="map",
         check=high_ta_is_blank,
         paper_says="Some combinations give no sustained, physiologically relevant oscillation, primarily at high TA, "
         f"where the shortened membrane has too little tension ({PLACE}, blank regions).",
@@ -167,7 +171,10 @@ CLAIMS = (
         f"{MORE_THAN_CHANCE:.0%} at TA ≥ 0.5 (chance gives half), anywhere in CT. Fail: otherwise.",
     ),
     Claim(
-        key="A6", title="Mean flow falls with TA, hardly moves with CT", needs=("ct_ta_map",), picture="map",
+        key="A6",
+        title="Mean flow falls with TA, hardly moves with CT",
+        needs=("ct_ta_map",),
+        picture="map",
         check=ta_lowers_flow,
         paper_says=f"Mean flow generally decreases with TA; CT has a relatively modest influence ({PLACE}).",
         definition=f"Pass: mean flow falls in {GENERALLY_GOOD:.0%} of the pairs of neighbouring cells along TA, and "
@@ -175,7 +182,10 @@ CLAIMS = (
         f"{GENERALLY_FAIR:.0%} of the pairs; CT moves it no more than TA. Fail: otherwise. {COVERAGE}",
     ),
     Claim(
-        key="A7", title="Loudest at high CT and low TA, across a quiet cone", needs=("ct_ta_map",), picture="map",
+        key="A7",
+        title="Loudest at high CT and low TA, across a quiet cone",
+        needs=("ct_ta_map",),
+        picture="map",
         check=loud_at_high_ct,
         paper_says="SPL is largest at high CT, above all with little TA; a cone of low SPL separates two louder "
         f"regions ({PLACE}).",
@@ -186,14 +196,21 @@ CLAIMS = (
         f"region is a cone, and not another band, is left to the eye. {COVERAGE}",
     ),
     Claim(
-        key="A8", title="SQ largest at low CT", needs=("ct_ta_map",), picture="map", check=sq_falls_with_ct,
+        key="A8",
+        title="SQ largest at low CT",
+        needs=("ct_ta_map",),
+        picture="map",
+        check=sq_falls_with_ct,
         paper_says=f"The largest SQ generally occur at low CT; SQ tends to decrease as CT rises ({PLACE}).",
         definition="Pass: two thirds of the highest tenth of SQ lie at CT ≤ 1/3, and the rank correlation of SQ with "
         f"CT (median over TA columns) is −{TENDS:g} or below. Deviation: one third of them (chance gives as much); a "
         f"negative correlation. Fail: otherwise. {COVERAGE}",
     ),
     Claim(
-        key="A9", title="CQ rises with TA between two low regions", needs=("ct_ta_map",), picture="map",
+        key="A9",
+        title="CQ rises with TA between two low regions",
+        needs=("ct_ta_map",),
+        picture="map",
         check=cq_has_two_low_regions,
         paper_says="Overall CQ increases with TA; it is low along TA = 0 and along a diagonal from the origin to "
         f"about TA 0.8, CT 0.4, with higher values between ({PLACE}).",
@@ -203,4 +220,4 @@ CLAIMS = (
         "maxima on both sides. Deviation: a positive correlation; mean CQ at TA 0 below the map's mean; a third of "
         f"the rows. Fail: otherwise. {COVERAGE}",
     ),
-)  # fmt: skip
+)

@@ -3,10 +3,10 @@
 import numpy as np
 
 from vocalis.studies.paper.bands import DEVIATION, FAIL, PASS, ROUNDING, Part, at_least, between, conclude
-from vocalis.studies.paper.claims.claim import Claim, Outcome
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome
 from vocalis.studies.paper.claims.cycle import convergence_part
 from vocalis.studies.paper.claims.modal import on_cycle, periodic_part
-from vocalis.studies.paper.evidence import PcaSweep, Voice
+from vocalis.studies.paper.evidence import PcaSweep, VoiceCycle
 from vocalis.studies.paper.geometry import posterior_share, slice_gap
 from vocalis.studies.paper.vibration import contact_regions, higher_mode_share
 
@@ -14,14 +14,14 @@ SECTION = "Abductory effects of PCA activation on phonation"
 EXEMPLAR = "Exemplar case with posterior glottal opening"
 FORCES = "Contact forces and posterior glottal opening"
 MM2 = 1e6
-#: P1: an opening counts from 0.1 mm², the smallest area change that the phonation state calls audible.
+#: P1: an opening is at least 0.1 mm², the smallest change of area that counts as phonation.
 OPEN_MM2 = 0.1
 BEHIND_GOOD, BEHIND_FAIR = 2.0 / 3.0, 0.5
-#: P2, in percent: below 0.5 a change is within the error of the time step; "modest", "slight"; "substantially".
+#: P2, in percent: a change below 0.5 is within the error of the time step; then "modest" and "slight"; "substantially".
 NOTICED, SLIGHT = 0.5, 20.0
 LATE_GOOD, LATE_FAIR = 20.0, 5.0
 PEAK_PCA, LATE_HALF, NEARLY = 0.95, 0.5, 0.99
-#: P3: near mid-fold; the anterior shift in x/L, and the least that a grid of 20 nodes can tell.
+#: P3: near mid-fold; the anterior shift in x/L, and the smallest one that a grid of 20 nodes resolves.
 MODERATE, MID = 0.6, 0.1
 CUSP = (0.65, 0.9)
 SHIFT, NODE = 0.1, 0.05
@@ -31,7 +31,7 @@ CHANGES_GOOD, CHANGES_FAIR = 2, 1
 
 
 @on_cycle
-def posterior_gap_voice(half: Voice) -> Outcome:
+def posterior_gap_voice(half: VoiceCycle) -> ClaimOutcome:
     nadir = int(half.area_m2.argmin())
     left = float(half.area_m2[nadir]) * MM2
     behind = posterior_share(slice_gap(half.w_m[nadir], half.medial_m), half.x_m)
@@ -45,7 +45,7 @@ def posterior_gap_voice(half: Voice) -> Outcome:
     )  # fmt: skip
 
 
-def contact_pressure_rises_late(sweep: PcaSweep) -> Outcome:
+def contact_pressure_rises_late(sweep: PcaSweep) -> ClaimOutcome:
     known, p = _phonating(sweep, sweep.contact_pressure_max_pa)
     if not known[0] or not known[-1] or known.mean() < 0.5:
         return conclude(_known_part(sweep, known))
@@ -59,21 +59,26 @@ def contact_pressure_rises_late(sweep: PcaSweep) -> Outcome:
     return conclude(
         _known_part(sweep, known),
         Part("early rise", rise, "%", f"contact pressure first rises by {rise:.1f}%", between(rise, *small)),
-        Part("fall", -fall, "%", f"then falls by {-fall:.1f}%, from PCA {pca[top]:g} to {pca[bottom]:g}",
-             between(-fall, *small)),
+        Part(
+            "fall",
+            -fall,
+            "%",
+            f"then falls by {-fall:.1f}%, from PCA {pca[top]:g} to {pca[bottom]:g}",
+            between(-fall, *small),
+        ),
         Part("late rise", late, "%", f"then rises by {late:.1f}% up to PCA 1", at_least(late, LATE_GOOD, LATE_FAIR)),
         Part("PCA of the highest pressure", at, "1", f"the highest, {p.max():.0f} Pa, comes at PCA {at:g}", ends_high),
-    )  # fmt: skip
+    )
 
 
 def _largest_fall(p: np.ndarray) -> tuple[int, int]:
-    """Where the largest fall of ``p`` before its last value begins and ends."""
+    """Start and end of the largest fall of ``p`` before its last value."""
     before = p[:-1]
     bottom = int((np.maximum.accumulate(before) - before).argmax())
     return int(before[: bottom + 1].argmax()), bottom
 
 
-def contact_place_shifts(sweep: PcaSweep) -> Outcome:
+def contact_place_shifts(sweep: PcaSweep) -> ClaimOutcome:
     known, place = _phonating(sweep, sweep.contact_location)
     pca = sweep.pca[known]
     low, late = pca <= MODERATE + ROUNDING, (pca >= CUSP[0] - ROUNDING) & (pca <= CUSP[1] + ROUNDING)
@@ -92,7 +97,7 @@ def contact_place_shifts(sweep: PcaSweep) -> Outcome:
     )  # fmt: skip
 
 
-def higher_modes(full: Voice, half: Voice) -> Outcome:
+def higher_modes(full: VoiceCycle, half: VoiceCycle) -> ClaimOutcome:
     if not full.repeats or not half.repeats:
         which, silent = (1, full) if not full.repeats else (0.5, half)
         why = f"PCA {which:g} holds no cycle to follow: {silent.explanation.rstrip('.')}"
@@ -113,7 +118,7 @@ def higher_modes(full: Voice, half: Voice) -> Outcome:
 
 
 def _phonating(sweep: PcaSweep, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Which levels repeat and make contact (a pressure of 0 means none), and ``values`` there."""
+    """Mask of the levels with repeating phonation and contact (pressure above 0), and ``values`` there."""
     known = np.isin(sweep.state, ("periodic", "subharmonic")) & (values > 0.0)
     return known, values[known]
 
@@ -129,7 +134,10 @@ def _known_part(sweep: PcaSweep, known: np.ndarray) -> Part:
 
 CLAIMS = (
     Claim(
-        key="P1", title="PCA 0.5 phonates with a lasting posterior opening", needs=("pca_half",), picture="cycle",
+        key="P1",
+        title="PCA 0.5 phonates with a lasting posterior opening",
+        needs=("pca_half",),
+        picture="cycle",
         check=posterior_gap_voice,
         paper_says="With PCA 0.5 the waveforms stay periodic and the glottis mostly converges while opening and "
         f"diverges while closing, with a posterior opening that persists ({SECTION}: {EXEMPLAR}).",
@@ -138,8 +146,11 @@ CLAIMS = (
         "deviation of M5. Fail: otherwise.",
     ),
     Claim(
-        key="P2", title="Contact pressure: up a little, down a little, then far up", needs=("pca_sweep",),
-        picture="curve", check=contact_pressure_rises_late,
+        key="P2",
+        title="Contact pressure: up a little, down a little, then far up",
+        needs=("pca_sweep",),
+        picture="curve",
+        check=contact_pressure_rises_late,
         paper_says="With rising PCA the maximum contact pressure rises modestly, falls slightly, and beyond a "
         f"critical PCA rises substantially, with its peak at PCA 1 ({SECTION}: {FORCES}).",
         definition="contact_pressure_max_pa over PCA. The fall is the largest one before the last level; the early "
@@ -150,7 +161,10 @@ CLAIMS = (
         "Fail: otherwise, or no value at PCA 0 or 1.",
     ),
     Claim(
-        key="P3", title="The place of highest contact jumps forward and returns", needs=("pca_sweep",), picture="curve",
+        key="P3",
+        title="The place of highest contact jumps forward and returns",
+        needs=("pca_sweep",),
+        picture="curve",
         check=contact_place_shifts,
         paper_says="Up to moderate PCA the place stays near mid-fold; near PCA 0.7 it shifts clearly forward, has a "
         f"cusp near 0.8, and then moves back ({SECTION}: {FORCES}).",
@@ -161,8 +175,11 @@ CLAIMS = (
         "repeating phonation. Fail: otherwise, or no value at PCA 0 or 1.",
     ),
     Claim(
-        key="P4", title="PCA 1: higher modes, contact in alternating regions", needs=("pca_full", "pca_half"),
-        picture="cycle", check=higher_modes,
+        key="P4",
+        title="PCA 1: higher modes, contact in alternating regions",
+        needs=("pca_full", "pca_half"),
+        picture="cycle",
+        check=higher_modes,
         paper_says="At PCA 1 the waveforms remain periodic; higher-order anterior–posterior modes appear that "
         f"moderate PCA does not show, and the peak contact alternates between regions within the cycle ({SECTION}: "
         f"{FORCES}).",
@@ -172,4 +189,4 @@ CLAIMS = (
         f"third at least {CHANGES_GOOD} times a cycle. Deviation: subharmonic; less energy in them; "
         f"{MODES_GROWTH_FAIR:g} times their share; one change. Fail: otherwise, or no phonation.",
     ),
-)  # fmt: skip
+)

@@ -1,26 +1,26 @@
-"""S1–S6: static shapes at zero lung pressure. Longer than other files: six checks and their rows.
+"""S1–S6: static shapes at zero lung pressure.
 
-"Gap" is the full distance between the folds, the smallest over y of each slice; a slice counts as closed up to
-0.05 mm. A step is the change from one level of the activation to the next, 0.1 higher.
+"Gap" is the full distance between the folds, the smallest over y in each slice; a slice is closed up to 0.05 mm. A step
+is the change from one level of the activation to the next, 0.1 higher.
 """
 
 import numpy as np
 
 from vocalis.studies.paper.bands import DEVIATION, FAIL, PASS, ROUNDING, Part, above, at_least, at_most, below, conclude
-from vocalis.studies.paper.claims.claim import Claim, Outcome
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome
 from vocalis.studies.paper.evidence import StaticSeries
 from vocalis.studies.paper.geometry import CLOSED_M, at_place, posterior_share, slice_gap, weights
 
 MM = 1e3
 CLOSED_MM = CLOSED_M * MM
 PLACE = "Static vocal fold configurations"
-#: "Progressively": this share of the steps goes the way the paper says.
+#: "Progressively": this share of the steps has the sign that the paper gives.
 STEPS_GOOD, STEPS_FAIR = 0.9, 0.7
-#: Of a gap that should close, or never turn back: what a deviation may miss.
+#: Share of the gap by which a deviation may miss closure or monotonicity.
 REST_FAIR = 0.1
-#: Shortest anterior opening that counts, of the length; that of the project's closure patterns.
+#: Shortest anterior opening, as a share of the length; the limit of the closure patterns of vfcore.
 OPENING_LENGTH = 0.15
-#: Where "increasing TA" is judged, and the two places near the ends.
+#: TA from which "increasing TA" is judged, and the two places near the ends.
 STRONG_TA = 0.5
 ENDS = (0.1, 0.9)
 #: "Largely absent": below half of the mid-fold value.
@@ -33,7 +33,7 @@ def _gaps(series: StaticSeries) -> np.ndarray:
     return slice_gap(series.w_m, series.medial_m)
 
 
-def adduction_closes(series: StaticSeries) -> Outcome:
+def adduction_closes(series: StaticSeries) -> ClaimOutcome:
     gap = _gaps(series)[:, -1] * MM
     rise = float(max(np.diff(gap).max(), 0.0))
     allowed = max(REST_FAIR * gap[0], CLOSED_MM)
@@ -45,26 +45,31 @@ def adduction_closes(series: StaticSeries) -> Outcome:
     )
 
 
-def adducted_shapes_open_anteriorly(series: StaticSeries) -> Outcome:
+def adducted_shapes_open_anteriorly(series: StaticSeries) -> ClaimOutcome:
     closed = np.flatnonzero(_gaps(series)[:, -1] <= CLOSED_M)
     if not len(closed):
         return conclude(Part("posteriorly closed shapes", 0.0, "", "no level closes the glottis posteriorly", FAIL))
-    opened, in_front = [], []
+    open_levels, front_levels = [], []
     for gap, x in zip(_gaps(series)[closed], series.x_m[closed], strict=True):
         anterior = (x <= 0.5 * x[-1]) & (gap > CLOSED_M)
-        opened.append(weights(x)[anterior].sum() >= OPENING_LENGTH * x[-1])
-        in_front.append(posterior_share(gap, x) < 0.5 - ROUNDING)
-    opened, in_front = float(np.mean(opened)), float(np.mean(in_front))
+        open_levels.append(weights(x)[anterior].sum() >= OPENING_LENGTH * x[-1])
+        front_levels.append(posterior_share(gap, x) < 0.5 - ROUNDING)
+    opened, in_front = float(np.mean(open_levels)), float(np.mean(front_levels))
     n = len(closed)
     return conclude(
         Part("posteriorly closed shapes", float(n), "", f"{n} levels close the glottis posteriorly", PASS),
         Part("open anteriorly", opened, "1", f"{opened:.0%} of them are open anteriorly", at_least(opened, 1.0, 0.5)),
-        Part("more open in front", in_front, "1", f"{in_front:.0%} more in front than behind",
-             at_least(in_front, 1.0, 0.5)),
-    )  # fmt: skip
+        Part(
+            "more open in front",
+            in_front,
+            "1",
+            f"{in_front:.0%} more in front than behind",
+            at_least(in_front, 1.0, 0.5),
+        ),
+    )
 
 
-def ta_bulges(series: StaticSeries) -> Outcome:
+def ta_bulges(series: StaticSeries) -> ClaimOutcome:
     bulge = series.w_b_m.max(axis=1) * MM
     growing = float((np.diff(bulge) > 0.0).mean())
     gap = _gaps(series)
@@ -84,16 +89,16 @@ def ta_bulges(series: StaticSeries) -> Outcome:
     )  # fmt: skip
 
 
-def inferior_edge_leads(series: StaticSeries) -> Outcome:
+def inferior_edge_leads(series: StaticSeries) -> ClaimOutcome:
     lead = series.w_m[:, :, -1] - series.w_m[:, :, 0]
     front, mid, back = (at_place(lead, series.x_m, place) * MM for place in (ENDS[0], 0.5, ENDS[1]))
-    # The resting medial plane converges by b tan θ_conv: only a lead beyond it makes the glottis divergent.
+    # The resting medial plane converges by b tan θ_conv; only a larger lead makes the glottis divergent.
     rest = at_place(series.medial_m[:, :, -1] - series.medial_m[:, :, 0], series.x_m, 0.5) * MM
     strong = series.levels >= STRONG_TA
     least, beyond = float(mid[strong].min()), float((mid - rest)[strong].min())
     gained = float(mid[-1] - mid[0])
     at_ends = np.maximum(np.abs(front), np.abs(back))[strong]
-    ends = float((at_ends / mid[strong]).max()) if least > 0.0 else float("nan")  # of no lead there is no share
+    ends = float((at_ends / mid[strong]).max()) if least > 0.0 else float("nan")  # no lead, no ratio
     ahead = PASS if beyond > 0.0 else DEVIATION if least > 0.0 else FAIL
     return conclude(
         Part("smallest mid-fold lead", least, "mm", f"mid-fold the inferior edge leads by at least {least:.3f} mm, "
@@ -104,7 +109,7 @@ def inferior_edge_leads(series: StaticSeries) -> Outcome:
     )  # fmt: skip
 
 
-def ct_straightens(series: StaticSeries) -> Outcome:
+def ct_straightens(series: StaticSeries) -> ClaimOutcome:
     length = series.x_m[:, -1]
     longer = float((np.diff(length) > 0.0).mean())
     bow = np.abs(series.w_m[:, :, [0, -1]]).max(axis=(1, 2)) / length
@@ -121,7 +126,7 @@ def ct_straightens(series: StaticSeries) -> Outcome:
     )  # fmt: skip
 
 
-def pca_opens(series: StaticSeries) -> Outcome:
+def pca_opens(series: StaticSeries) -> ClaimOutcome:
     gaps = _gaps(series)
     closed = float((weights(series.x_m[0]) * (gaps[0] <= CLOSED_M)).sum() / series.x_m[0, -1])
     gap = gaps[:, -1] * MM
@@ -142,7 +147,10 @@ def pca_opens(series: StaticSeries) -> Outcome:
 
 CLAIMS = (
     Claim(
-        key="S1", title="Adduction closes the posterior gap", needs=("static_adduction",), picture="static_shapes",
+        key="S1",
+        title="Adduction closes the posterior gap",
+        needs=("static_adduction",),
+        picture="static_shapes",
         check=adduction_closes,
         paper_says="Raising LCA and IA together, with CT 0.1 and TA 0, shrinks the posterior gap step by step until "
         f"it closes ({PLACE}, top left).",
@@ -151,16 +159,22 @@ CLAIMS = (
         f"left, by up to {REST_FAIR:.0%} of the first gap. Fail: otherwise.",
     ),
     Claim(
-        key="S2", title="Without TA the adducted folds stay open in front", needs=("static_adduction",),
-        picture="static_shapes", check=adducted_shapes_open_anteriorly,
+        key="S2",
+        title="Without TA the adducted folds stay open in front",
+        needs=("static_adduction",),
+        picture="static_shapes",
+        check=adducted_shapes_open_anteriorly,
         paper_says=f"Because TA is relaxed, the shapes of that series keep an anterior opening ({PLACE}, top left).",
         definition=f"Levels whose gap at x = L is closed. Pass: each is open over at least {OPENING_LENGTH:.0%} of "
         "the length within the anterior half, and has more open area in front of mid-fold than behind. Deviation: "
         "each of the two for at least half of these levels. Fail: fewer, or no level closes posteriorly.",
     ),
     Claim(
-        key="S3", title="TA bulges the folds and leaves a posterior opening", needs=("static_ta",),
-        picture="static_shapes", check=ta_bulges,
+        key="S3",
+        title="TA bulges the folds and leaves a posterior opening",
+        needs=("static_ta",),
+        picture="static_shapes",
+        check=ta_bulges,
         paper_says="Raising TA with CT 0.1 and LCA = IA 0.5 bulges the body medially more and more; the glottis "
         f"closes in front and mid-fold while a posterior opening persists ({PLACE}, top right).",
         definition=f"TA 0 … 1. Pass: the bulge (largest medial beam displacement) grows in {STEPS_GOOD:.0%} of the "
@@ -169,7 +183,10 @@ CLAIMS = (
         "though not at 1; open behind in at least half of those levels. Fail: otherwise.",
     ),
     Claim(
-        key="S4", title="TA makes the inferior edge lead mid-fold", needs=("static_ta",), picture="static_shapes",
+        key="S4",
+        title="TA makes the inferior edge lead mid-fold",
+        needs=("static_ta",),
+        picture="static_shapes",
         check=inferior_edge_leads,
         paper_says="In that series the inferior edge moves medially ahead of the superior one near mid-fold, which "
         f"makes the glottis divergent; near both ends this is largely absent ({PLACE}, text on the top-right panel).",
@@ -179,7 +196,10 @@ CLAIMS = (
         "divergent, or the ends have half of it or more but less than all. Fail: otherwise.",
     ),
     Claim(
-        key="S5", title="CT lengthens and straightens the folds", needs=("static_ct",), picture="static_shapes",
+        key="S5",
+        title="CT lengthens and straightens the folds",
+        needs=("static_ct",),
+        picture="static_shapes",
         check=ct_straightens,
         paper_says="Raising CT with LCA = IA 0.5 and TA 0.2 elongates the folds and makes them progressively "
         f"straighter, with less medial curvature ({PLACE}, bottom left).",
@@ -188,7 +208,10 @@ CLAIMS = (
         f"overall. Deviation: {STEPS_FAIR:.0%} of the steps; a bow that loses anything. Fail: otherwise.",
     ),
     Claim(
-        key="S6", title="PCA opens closed folds posteriorly", needs=("static_pca",), picture="static_shapes",
+        key="S6",
+        title="PCA opens closed folds posteriorly",
+        needs=("static_pca",),
+        picture="static_shapes",
         check=pca_opens,
         paper_says="With LCA = IA 0.8 and TA 0.5 the glottis starts fully closed; raising PCA abducts the back of "
         f"the folds progressively and opens the glottis there ({PLACE}, bottom right; CT not printed, 0.3 taken).",
@@ -197,4 +220,4 @@ CLAIMS = (
         f"behind mid-fold. Deviation: closed along 90% at 0; steps back of up to {REST_FAIR:.0%} of the last gap; "
         "half of the area behind. Fail: otherwise.",
     ),
-)  # fmt: skip
+)

@@ -1,1 +1,1 @@
-"""How far the paper's grid and step are from fine ones."""
+"""Convergence of the paper's grid and time step."""

@@ -1,7 +1,7 @@
-"""How far the paper's grid is from a fine one: three cases on three grids with three time steps each.
+"""Grid and time step refinement: three voices on three grids with three time steps each.
 
-The paper says only that "preliminary" studies were made. Run it with `vocalis paper --convergence`; the answer is a
-tables in docs/model/numerics.md.
+The paper says only that "preliminary" studies were made. Run it with `vocalis paper --convergence`; its tables are in
+docs/model/numerics.md.
 """
 
 from collections.abc import Callable, Iterator
@@ -22,14 +22,14 @@ from vocalis.studies.paper.run.gather import Failure
 
 #: The paper's grid, and each spacing halved twice.
 GRIDS = ((20, 10), (40, 20), (80, 40))
-#: The product's own step of the grid, over these.
+#: The default step of the grid is divided by these.
 DIVISORS = (1, 2, 4)
 VOICES = {
     "modal": MODAL,
     "PCA 0.5": MODAL | {"pca": 0.5},
     "high pitch (CT 1, TA 0.1)": MODAL | {"ct": 1.0, "ta": 0.1},
 }
-#: Largest relative change that the last refinement may make.
+#: Largest allowed relative change by the last refinement.
 BOUNDS = {"fo_hz": 0.005, "closed_quotient": 0.05, "contact_pressure_max_pa": 0.05}
 REPORTED = ("fo_hz", "closed_quotient", "speed_quotient", "mean_flow_ml_s", "contact_pressure_max_pa")
 
@@ -42,7 +42,7 @@ class Cell(NamedTuple):
 
 
 def cells() -> Iterator[Cell]:
-    """Every run, coarse to fine, long steps to short ones within a grid."""
+    """All runs, coarse to fine grids, long to short steps within a grid."""
     for voice, activation in VOICES.items():
         for nx, ny in GRIDS:
             base = Simulation(activation=Activation(**activation))
@@ -55,10 +55,10 @@ def cells() -> Iterator[Cell]:
 def convergence_document(
     pool: ProcessPoolExecutor, progress: Callable[[str, int, int], None] = lambda case, done, total: None
 ) -> dict[str, Any]:
-    """Run both tables: grids and steps of three voices, and the two forms of the shear on ever more rows."""
+    """Run both studies: grids and steps of three voices, and the two shear forms on more and more rows."""
     began = perf_counter()
     asked = list(cells())
-    # The longest first, or the last one would be alone at the end.
+    # The longest first, so that it does not run alone at the end.
     order = sorted(range(len(asked)), key=lambda k: -_work(asked[k].request))
     begun = {k: pool.submit(measured, asked[k].request) for k in order}
     shear = shear_rows(pool)
@@ -97,7 +97,7 @@ def _row(cell: Cell, answer: MeasureReport | Failure) -> dict[str, Any]:
 
 
 def last_changes(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Per voice and measure of BOUNDS, the relative change of the last refinement of the grid and of the step.
+    """Per voice and measure of BOUNDS, the relative change by the last refinement of the grid and of the step.
 
     Each is None where a value is missing or 0; ``met`` says whether both are within the bound.
     """
@@ -109,9 +109,10 @@ def last_changes(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
             coarse, before, after = (row["measures"][key] for row in shortest)
             longer = own[-2]["measures"][key]
             changes = {
-                "first_grid": _change(coarse, before), "last_grid": _change(before, after),
+                "first_grid": _change(coarse, before),
+                "last_grid": _change(before, after),
                 "last_step": _change(longer, after),
-            }  # fmt: skip
+            }
             checked = [changes["last_grid"], changes["last_step"]]
             met = all(change is not None and abs(change) < bound for change in checked)
             absent = all(row["measures"][key] == 0 for row in own)

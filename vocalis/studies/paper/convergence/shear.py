@@ -1,13 +1,13 @@
-"""Why the printed rotation equation does not converge in y, and the Kelvin–Voigt membrane does.
+"""Convergence in y of the printed rotation equation and of the Kelvin–Voigt membrane.
 
-Two numbers on ever more rows of the modal fold, coupling stiffest at the inferior edge in both:
+Two numbers of the modal fold with more and more rows, both with the coupling stiffest at the inferior edge:
 
-- in the run, how much neighbouring rows differ, as a share of the motion. Of a smooth surface this halves with the
-  spacing;
-- without air and contact, how many modes of the first half-wave along the fold lie in the range of the voice. A
-  membrane held together across y has a few, whatever the grid. Where the rotation follows the slope, G̃γ = J̃φ̈: shear
-  is an inertia J̃ κ² beside ρ_s and no stiffness, so the finer the wave across y (κ), the lower its frequency, and each
-  row that is added adds a mode below the voice that nothing damps.
+- in the run, the difference of neighbouring rows relative to the motion, which halves with the spacing for a smooth
+  surface;
+- without air and contact, the number of modes of the first half-wave along the fold in the frequency range of the
+  voice. A membrane with shear stiffness across y has a few on any grid. In the rotation equation the rotation follows
+  the slope, G̃γ = J̃φ̈: shear adds an inertia J̃ κ² to ρ_s but no stiffness. The finer the wave across y (κ), the lower
+  its frequency, and each additional row adds an undamped mode below the voice.
 """
 
 from collections.abc import Callable
@@ -24,12 +24,12 @@ from vfcore.spec.simulation import SHEAR_FORMS, Model, Run, Simulation
 from vocalis.studies.paper.run.document import plain_number
 
 ROWS = (10, 14, 20, 28, 40)
-#: Above the voice of the modal case (150 Hz) by a factor that leaves room for its first overtones.
+#: Upper limit, well above the voice of the modal case (150 Hz) and its first overtones.
 VOICE_HZ = 500.0
 
 
 def shear_rows(pool: ProcessPoolExecutor) -> list[Callable[[], dict[str, Any]]]:
-    """One row of the table for each form of the shear and number of rows, as calls that wait for it."""
+    """One deferred row of the table for each shear form and number of rows."""
     return [pool.submit(shear_row, shear, ny).result for shear in SHEAR_FORMS for ny in ROWS]
 
 
@@ -49,7 +49,7 @@ def shear_row(shear: str, ny: int) -> dict[str, Any]:
 
 
 def row_jump(result: SimulationResult) -> float:
-    """Rms difference of neighbouring rows over the rms motion, both about their means over the stored cycle."""
+    """Rms difference of neighbouring rows over the rms motion, both relative to their means over the stored cycle."""
     w = result.arrays["cycle_w_m"]
     moving = w - w.mean(axis=0)
     return float(np.sqrt(np.mean(np.diff(moving, axis=2) ** 2) / np.mean(moving**2)))

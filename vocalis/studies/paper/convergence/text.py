@@ -6,10 +6,12 @@ from typing import Any
 from vocalis.studies.paper.convergence.refinement import last_changes
 
 _COLUMNS = {
-    "fo_hz": ("f_o, Hz", "{:.2f}"), "closed_quotient": ("CQ", "{:.4f}"), "speed_quotient": ("SQ", "{:.3f}"),
+    "fo_hz": ("f_o, Hz", "{:.2f}"),
+    "closed_quotient": ("CQ", "{:.4f}"),
+    "speed_quotient": ("SQ", "{:.3f}"),
     "mean_flow_ml_s": ("mean flow, mL/s", "{:.0f}"),
     "contact_pressure_max_pa": ("largest contact pressure, Pa", "{:.0f}"),
-}  # fmt: skip
+}
 
 
 def convergence_tables(document: Mapping[str, Any]) -> dict[str, str]:

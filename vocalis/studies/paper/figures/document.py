@@ -1,7 +1,7 @@
-"""The paper's figures as one plain document, in the shapes in which the server answers: the page draws shipped data
-and data it has just computed by the same functions.
+"""The paper's figures as one plain document with the layout of the server's answers, so that the page draws shipped and
+computed data with the same functions.
 
-A figure has ``requests``' parts (``base`` and ``axes``, as a sweep has them), the claims it shows, and by ``kind``:
+A figure has ``base`` and ``axes`` like a sweep, the claims it shows, and by ``kind``:
 static: ``shapes``, the posture call's static shape at each level; voice: ``result`` header and ``arrays``, as of
 POST /simulate; map and sweep: ``states`` and ``measures``, the last axis fastest.
 """
@@ -23,7 +23,7 @@ from vocalis.studies.paper.claims.registry import CLAIMS
 from vocalis.studies.paper.evidence import MAP_MEASURES, SWEEP_MEASURES
 from vocalis.studies.paper.voicing import MAX_BELOW_MEDIAN_DB, MIN_AC_OVER_MEAN
 
-#: What the page draws of a voice; the cycle at every fourth phase, the waves over the end of the run.
+#: Arrays of a voice that the page draws: the cycle at every fourth phase, the waves at the end of the run.
 WAVES = ("radiated_pressure_pa", "glottal_flow_m3_s", "glottal_area_m2", "contact_pressure_max_pa")
 GRID = ("medial_plane_m", "x_m", "y_m")
 CYCLE = ("cycle_time_s", "cycle_w_m", "cycle_aerodynamic_pressure_pa", "cycle_contact_pressure_pa")
@@ -37,12 +37,12 @@ FAILED = "failed"
 
 
 def figure_cases() -> dict[str, Case]:
-    """The cases that are pictures."""
+    """The cases that have figures."""
     return {key: case for key, case in CASES.items() if case.kind != "timing"}
 
 
 def answer(kind: str, request: Simulation) -> dict[str, Any]:
-    """What a figure of ``kind`` keeps of one run; a run without an answer gives its reason as ``problem``."""
+    """The data of one run for a figure of ``kind``; for a run without an answer, the reason as ``problem``."""
     try:
         if kind == "static":
             return posture_document(prepare(request))["static_shape"]
@@ -53,7 +53,7 @@ def answer(kind: str, request: Simulation) -> dict[str, Any]:
 
 
 def figure(case: Case, answers: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """The figure of ``case`` from the answers to its requests, in their order."""
+    """The figure of ``case`` from the answers to its requests, in order."""
     head = {
         "key": case.key,
         "kind": case.kind,
@@ -78,7 +78,7 @@ def figure(case: Case, answers: Sequence[dict[str, Any]]) -> dict[str, Any]:
 
 
 def _changed(case: Case) -> dict[str, Any]:
-    """The case's request without what its axes set, in full: every default is told."""
+    """The complete request of the case, without the values that its axes set."""
     request = document_of(case.requests()[0])
     moved = {m for axis in case.axes for m in axis.muscles}
     request["activation"] = {m: v for m, v in request["activation"].items() if m not in moved}
@@ -94,7 +94,7 @@ def _voice(result: SimulationResult) -> dict[str, Any]:
     header = {key: document[key] for key in HEADER}
     header["provenance"] = {key: document["provenance"][key] for key in ("sample_rate_hz", "time_step_s")}
     samples = len(result.arrays["time_s"])
-    # The waves end with the stored cycle's own end, as the page shows them.
+    # The waves end with the stored cycle, as on the page.
     last = min(samples, round(_cycle_end_s(result) * result.provenance.sample_rate_hz) + 2)
     first = max(0, last - round(WAVES_S * result.provenance.sample_rate_hz))
     cut = {name: result.arrays[name][first:last] for name in WAVES}
@@ -103,7 +103,7 @@ def _voice(result: SimulationResult) -> dict[str, Any]:
     arrays = {
         name: {"shape": list(a.shape), "unit": ARRAYS[name].unit, "data": a.ravel().tolist()} for name, a in cut.items()
     }
-    # Times are differences of large numbers: they stay exact.
+    # Times stay exact, since their differences are small.
     return {"result": header, "start_s": first / result.provenance.sample_rate_hz, "arrays": arrays}
 
 
@@ -113,7 +113,7 @@ def _cycle_end_s(result: SimulationResult) -> float:
 
 
 def _rounded(value: Any, name: str = "") -> Any:
-    """Floats to DIGITS significant figures, not finite ones as None; times and rates are kept."""
+    """Floats to DIGITS significant figures, None if not finite; times and rates unchanged."""
     if isinstance(value, dict):
         return {key: _rounded(item, name if key == "data" else key) for key, item in value.items()}
     if isinstance(value, (list, tuple)):

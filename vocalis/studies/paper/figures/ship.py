@@ -1,6 +1,6 @@
-"""The figures that the page ships: `python -m vocalis.studies.paper.figures.ship` computes them and rewrites the file.
+"""Writes the figures that the page ships: `python -m vocalis.studies.paper.figures.ship`.
 
-With `--claims` only the verdicts are renewed, from the shipped scoreboard.
+With `--claims` only the verdicts are updated, from the shipped scoreboard.
 """
 
 import json
@@ -20,7 +20,7 @@ FIGURES = Path(__file__).parents[4] / "frontend" / "features" / "paper" / "paper
 
 
 def claims(scoreboard: dict[str, Any]) -> list[dict[str, Any]]:
-    """The claims with what each variant reached, as the page tells them."""
+    """The claims and the outcomes of each variant, as the page shows them."""
     return [
         {key: claim[key] for key in ("key", "title", "paper_says", "definition")}
         | {
@@ -34,7 +34,7 @@ def claims(scoreboard: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def run() -> dict[str, Any]:
-    """Everything anew; half a minute to two."""
+    """Compute everything; half a minute to two minutes."""
     warm_up(Simulation())
     cases = figure_cases()
     with workers(os.cpu_count() or 1) as pool:

@@ -11,7 +11,7 @@ from vocalis.studies.paper.run.gather import Failure
 
 
 class Figure(NamedTuple):
-    """``key`` is the same for claims that the same picture shows."""
+    """A picture; ``key`` is the same for claims that share it."""
 
     key: str
     plot: Plot
@@ -28,7 +28,7 @@ def _shapes(case: str) -> Callable:
 
 _FO = ("fo", _map("fo_hz", "f_o, Hz", "periodic"))
 _WAVES = ("waves", voice.waves)
-#: By claim: name of the picture within its case, and what draws it from the evidence of the claim's first case.
+#: By claim: name of the picture within its case, and the function that draws it from the evidence of that case.
 _DRAWN: dict[str, tuple[str, Callable[[Any], Plot]]] = {
     "S1": ("shapes", _shapes("static_adduction")), "S2": ("shapes", _shapes("static_adduction")),
     "S3": ("shapes", _shapes("static_ta")), "S4": ("shapes", _shapes("static_ta")),
@@ -48,7 +48,7 @@ _DRAWN: dict[str, tuple[str, Callable[[Any], Plot]]] = {
 
 
 def figure(claim: Claim, found: Mapping[str, Any]) -> Figure | None:
-    """The picture of a claim; None for a mere number, or where the run has no answer."""
+    """The picture of a claim; None if it is only a number or its run has no answer."""
     if claim.key not in _DRAWN or isinstance(found[claim.needs[0]], Failure):
         return None
     name, draw = _DRAWN[claim.key]

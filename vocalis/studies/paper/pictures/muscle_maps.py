@@ -1,12 +1,12 @@
-"""Maps over CT and TA, with the cells that are not judged drawn and named, and curves over PCA."""
+"""Maps over CT and TA, in which excluded cells are drawn and labelled, and curves over PCA."""
 
 import numpy as np
 
 from vocalis.studies.paper.evidence import ActivationMap, PcaSweep
-from vocalis.studies.paper.pictures.plot import COLORS, Axis, Plot, ramp, spanning
+from vocalis.studies.paper.pictures.plot import COLORS, Plot, PlotAxis, ramp, spanning
 from vocalis.studies.paper.voicing import STATES, voiced
 
-#: Fill and name of the cells without a value. The greys are apart enough on white and on black paper.
+#: Fill and label of cells without a value. The greys are distinguishable on white and on black.
 BLANKS = {
     "subharmonic": ("#c98bb0", "subharmonic: f_o not judged"),
     "weak": ("#b9b9b9", "repeats, but too weak for voice"),
@@ -17,12 +17,12 @@ BLANKS = {
 
 
 def measure(maps: ActivationMap, name: str, label: str, states: tuple[str, ...] = STATES) -> Plot:
-    """One measure; cells out of voice, or not in ``states``, in the colour of their kind."""
+    """One measure; cells that are not voiced, or not in ``states``, in the colour of their kind."""
     values = np.where(voiced(maps) & np.isin(maps.state, states), getattr(maps, name), np.nan)
     known = values[np.isfinite(values)]
     low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
     plot = Plot(label, _axis(maps.ta, "TA"), _axis(maps.ct, "CT"))
-    _cells(plot, maps, lambda i, j: ramp((values[i, j] - low) / ((high - low) or 1.0)), np.isfinite(values))
+    _cells(plot, maps, lambda i, j: ramp((float(values[i, j]) - low) / ((high - low) or 1.0)), np.isfinite(values))
     if len(known):
         for share in (1.0, 0.5, 0.0):
             plot.key(ramp(share), f"{low + share * (high - low):.4g}")
@@ -31,7 +31,7 @@ def measure(maps: ActivationMap, name: str, label: str, states: tuple[str, ...] 
 
 
 def blanks(maps: ActivationMap) -> Plot:
-    """Which cells phonate, and what the others do."""
+    """Which cells phonate, and the states of the others."""
     plot = Plot("Sustained phonation", _axis(maps.ta, "TA"), _axis(maps.ct, "CT"))
     here = voiced(maps)
     _cells(plot, maps, lambda i, j: ramp(0.6), here)
@@ -40,13 +40,13 @@ def blanks(maps: ActivationMap) -> Plot:
     return plot
 
 
-def _axis(levels: np.ndarray, label: str) -> Axis:
+def _axis(levels: np.ndarray, label: str) -> PlotAxis:
     half = 0.5 * float(levels[1] - levels[0])
-    return Axis(float(levels[0]) - half, float(levels[-1]) + half, label)
+    return PlotAxis(float(levels[0]) - half, float(levels[-1]) + half, label)
 
 
 def _kinds(maps: ActivationMap) -> np.ndarray:
-    """What each cell is called when it has no value."""
+    """The label of each cell without a value."""
     weak = np.isin(maps.state, STATES) & ~voiced(maps)
     return np.where(weak, "weak", maps.state)
 
@@ -72,7 +72,7 @@ def sweep(curve: PcaSweep, name: str, label: str, scale: float = 1.0) -> Plot:
     """One measure over PCA; it breaks where nothing repeats."""
     repeats = np.isin(curve.state, STATES)
     values = np.where(repeats, getattr(curve, name) * scale, np.nan)
-    plot = Plot(label, Axis(-0.02, 1.02, "PCA"), spanning(label, values))
+    plot = Plot(label, PlotAxis(-0.02, 1.02, "PCA"), spanning(label, values))
     missing = int((~repeats).sum())
     silent = f"; not repeating at {missing} of {len(repeats)} levels" if missing else ""
     plot.line(curve.pca, values, COLORS[0], label=f"repeating phonation{silent}")

@@ -12,9 +12,11 @@ LEFT, RIGHT, TOP, BOTTOM = 48, 10, 20, 36
 _RAMP = np.array([(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37)], dtype=float)
 COLORS = ("var(--a)", "var(--b)", "var(--c)")
 
+Values = Sequence[float] | np.ndarray
 
-class Axis(NamedTuple):
-    """Range and label of one axis; ``low`` is the left or lower end, also where it is the larger number."""
+
+class PlotAxis(NamedTuple):
+    """Range and label of one axis; ``low`` is the left or lower end, even if it is the larger number."""
 
     low: float
     high: float
@@ -29,25 +31,25 @@ def ramp(share: float) -> str:
     return f"#{round(red):02x}{round(green):02x}{round(blue):02x}"
 
 
-def spanning(label: str, *values: np.ndarray, zero: bool = False) -> Axis:
-    """An axis over all finite values with 5% to spare; with ``zero`` in it if asked."""
+def spanning(label: str, *values: np.ndarray, zero: bool = False) -> PlotAxis:
+    """An axis over all finite values with a margin of 5%; ``zero``: include 0."""
     every = np.concatenate([np.ravel(v) for v in values] + ([np.zeros(1)] if zero else []))
     every = every[np.isfinite(every)]
     low, high = (float(every.min()), float(every.max())) if len(every) else (0.0, 1.0)
     spare = 0.05 * (high - low) or 0.05 * abs(high) or 1.0
-    return Axis(low - spare, high + spare, label)
+    return PlotAxis(low - spare, high + spare, label)
 
 
 class Plot:
-    """Elements in the order drawn; data coordinates in, ``svg()`` out."""
+    """A plot: elements are added in data coordinates and drawn in that order by ``svg()``."""
 
-    def __init__(self, title: str, x: Axis, y: Axis):
+    def __init__(self, title: str, x: PlotAxis, y: PlotAxis):
         self._x, self._y = x, y
         self._body: list[str] = []
         self._legend: list[str] = []
         self._title = title
 
-    def line(self, x: Sequence[float], y: Sequence[float], color: str, dashed: bool = False, label: str = "") -> None:
+    def line(self, x: Values, y: Values, color: str, dashed: bool = False, label: str = "") -> None:
         """A line through the points; it breaks where a value is missing."""
         dash = ' stroke-dasharray="4 3"' if dashed else ""
         for part in _finite_runs(np.asarray(x, dtype=float), np.asarray(y, dtype=float)):
@@ -59,7 +61,7 @@ class Plot:
 
     def cell(self, x: tuple[float, float], y: tuple[float, float], fill: str) -> None:
         """A filled rectangle between two values of x and two of y."""
-        # Rounded before the size is taken, so that neighbours meet without a seam.
+        # Rounded before the size is taken, so that neighbours have no gap.
         left, right = (round(self._at_x(v), 1) for v in x)
         bottom, top = (round(self._at_y(v), 1) for v in y)
         size = f'width="{right - left:.1f}" height="{bottom - top:.1f}"'
@@ -111,7 +113,7 @@ def _finite_runs(x: np.ndarray, y: np.ndarray) -> list[np.ndarray]:
     return [part for part in (p[np.isfinite(p).all(axis=1)] for p in parts) if len(part)]
 
 
-def _ticks(axis: Axis) -> np.ndarray:
+def _ticks(axis: PlotAxis) -> np.ndarray:
     """Three to six round numbers within the axis."""
     low, high = sorted((axis.low, axis.high))
     rough = (high - low) / 4

@@ -1,8 +1,8 @@
-"""Static shapes: the edges of one fold from the midline, seen from above."""
+"""Static shapes: distance of the edges of one fold from the midline, seen from above."""
 
 import numpy as np
 
-from vocalis.studies.paper.evidence import StaticSeries, Voice
+from vocalis.studies.paper.evidence import StaticSeries, VoiceCycle
 from vocalis.studies.paper.pictures.plot import COLORS, Plot, ramp, spanning
 
 MM = 1e3
@@ -11,7 +11,7 @@ _X, _EDGE = "distance from the anterior end, mm", "fold to midline, mm"
 
 
 def series(shapes: StaticSeries, muscles: str) -> Plot:
-    """Superior (full) and inferior (dashed) edge for some of the levels; 0 is the midline, contact lies below it."""
+    """Superior (solid) and inferior (dashed) edge for some of the levels; 0 is the midline, contact is below it."""
     shown = np.unique(np.linspace(0, len(shapes.levels) - 1, SHOWN).round().astype(int))
     edges = (shapes.medial_m - shapes.w_m)[:, :, [0, -1]] * MM
     plot = Plot("Static shapes", spanning(_X, shapes.x_m[shown] * MM), spanning(_EDGE, edges[shown], zero=True))
@@ -24,8 +24,8 @@ def series(shapes: StaticSeries, muscles: str) -> Plot:
     return plot
 
 
-def rest_and_motion(voice: Voice) -> Plot:
-    """The static edges, and how far the superior edge goes to either side in the cycle."""
+def rest_and_motion(voice: VoiceCycle) -> Plot:
+    """The static edges, and the extremes of the superior edge in the cycle."""
     x = voice.x_m * MM
     rest = (voice.medial_m - voice.static_w_m) * MM
     moving = (voice.medial_m - voice.w_m)[:, :, 0] * MM

@@ -1,31 +1,31 @@
-"""One cycle of a voice: waves over its phases, and where the folds touch."""
+"""One cycle of a voice: waveforms over its phases, and contact."""
 
 import numpy as np
 
-from vocalis.studies.paper.evidence import Voice
+from vocalis.studies.paper.evidence import VoiceCycle
 from vocalis.studies.paper.geometry import full_gap, slice_gap, weights
-from vocalis.studies.paper.pictures.plot import COLORS, Axis, Plot, ramp, spanning
+from vocalis.studies.paper.pictures.plot import COLORS, Plot, PlotAxis, ramp, spanning
 
 MM, MM2, KPA = 1e3, 1e6, 1e-3
 _TIME = "time, ms"
 
 
-def _time(voice: Voice) -> np.ndarray:
+def _time(voice: VoiceCycle) -> np.ndarray:
     return (voice.time_s - voice.time_s[0]) * 1e3
 
 
-def waves(voice: Voice) -> Plot:
+def waves(voice: VoiceCycle) -> Plot:
     """Glottal area and flow, each over its peak."""
     t = _time(voice)
     area, flow = voice.area_m2, voice.flow_m3_s
     title = "Area and flow" if voice.repeats else "Area and flow, last 10 ms: no cycle"
-    plot = Plot(title, spanning(_TIME, t), Axis(-0.05, 1.05, "of the peak"))
+    plot = Plot(title, spanning(_TIME, t), PlotAxis(-0.05, 1.05, "of the peak"))
     plot.line(t, area / max(area.max(), 1e-30), COLORS[0], label=f"area, peak {area.max() * MM2:.3g} mm²")
     plot.line(t, flow / max(flow.max(), 1e-30), COLORS[1], label=f"flow, peak {flow.max() * 1e6:.0f} mL/s")
     return plot
 
 
-def channel(voice: Voice) -> Plot:
+def channel(voice: VoiceCycle) -> Plot:
     """Mean gap at the inlet and at the outlet: convergent where the inlet is the wider."""
     t, x = _time(voice), weights(voice.x_m)
     gap = full_gap(voice.w_m, voice.medial_m)
@@ -36,23 +36,23 @@ def channel(voice: Voice) -> Plot:
     return plot
 
 
-def contact_over_height(voice: Voice) -> Plot:
+def contact_over_height(voice: VoiceCycle) -> Plot:
     """Largest contact pressure of each row of y over the cycle."""
     return _contact(voice, voice.contact_pa.max(axis=1), "y/b (0 superior)", flip=True)
 
 
-def contact_over_length(voice: Voice) -> Plot:
+def contact_over_length(voice: VoiceCycle) -> Plot:
     """Largest contact pressure of each slice of x over the cycle."""
     return _contact(voice, voice.contact_pa.max(axis=2), "x/L (0 anterior)", flip=False)
 
 
-def _contact(voice: Voice, pressure: np.ndarray, label: str, flip: bool) -> Plot:
+def _contact(voice: VoiceCycle, pressure: np.ndarray, label: str, flip: bool) -> Plot:
     t = _time(voice)
     peak = max(float(pressure.max()), 1e-9)
     half_t, n = 0.5 * (t[1] - t[0]), pressure.shape[1]
     half = 0.5 / (n - 1)
-    y = Axis(1 + half, -half, label) if flip else Axis(-half, 1 + half, label)
-    plot = Plot("Contact pressure", Axis(t[0] - half_t, t[-1] + half_t, _TIME), y)
+    y = PlotAxis(1 + half, -half, label) if flip else PlotAxis(-half, 1 + half, label)
+    plot = Plot("Contact pressure", PlotAxis(t[0] - half_t, t[-1] + half_t, _TIME), y)
     levels = np.ceil(8 * np.clip(pressure, 0.0, None) / peak).astype(int)
     for row in range(n):
         place = sorted((row / (n - 1) - half, row / (n - 1) + half), reverse=flip)
@@ -64,13 +64,13 @@ def _contact(voice: Voice, pressure: np.ndarray, label: str, flip: bool) -> Plot
 
 
 def _stretches(levels: np.ndarray):
-    """(begin, end, level) of the stretches of equal level."""
+    """(begin, end, level) of the runs of equal level."""
     cuts = np.flatnonzero(np.diff(levels)) + 1
     for begin, end in zip([0, *cuts], [*cuts, len(levels)], strict=True):
         yield begin, end, levels[begin]
 
 
-def contact_range(voice: Voice) -> Plot:
+def contact_range(voice: VoiceCycle) -> Plot:
     """Largest and smallest contact pressure over the surface."""
     t = _time(voice)
     high, low = (f(voice.contact_pa, axis=(1, 2)) * KPA for f in (np.max, np.min))
@@ -80,8 +80,8 @@ def contact_range(voice: Voice) -> Plot:
     return plot
 
 
-def air_pressure(voice: Voice) -> Plot:
-    """Mean size of the aerodynamic pressure over the surface, beside the area."""
+def air_pressure(voice: VoiceCycle) -> Plot:
+    """Mean size of the aerodynamic pressure over the surface, with the area."""
     t = _time(voice)
     node = np.outer(weights(voice.x_m), weights(voice.y_m))
     mean = np.tensordot(np.abs(voice.aerodynamic_pa), node / node.sum(), axes=2)
@@ -92,13 +92,14 @@ def air_pressure(voice: Voice) -> Plot:
     return plot
 
 
-def lasting_gap(voice: Voice) -> Plot:
+def lasting_gap(voice: VoiceCycle) -> Plot:
     """The gap along the length at the smallest and the largest area of the cycle."""
     gap = slice_gap(voice.w_m, voice.medial_m) * MM
     x = voice.x_m * MM
     least, most = gap[int(voice.area_m2.argmin())], gap[int(voice.area_m2.argmax())]
-    plot = Plot("Gap along the folds", spanning("distance from the anterior end, mm", x),
-                spanning("gap, mm", most, zero=True))  # fmt: skip
+    plot = Plot(
+        "Gap along the folds", spanning("distance from the anterior end, mm", x), spanning("gap, mm", most, zero=True)
+    )
     plot.line(x, most, COLORS[1], label="at the largest area")
     plot.line(x, least, COLORS[0], label="at the smallest area")
     return plot

@@ -1,4 +1,4 @@
-"""The scoreboard as one HTML file that needs nothing else: pictures are SVG within it."""
+"""The scoreboard as one self-contained HTML file with SVG pictures."""
 
 from collections.abc import Mapping
 from html import escape
@@ -25,8 +25,8 @@ def html_report(document: Mapping[str, Any], scored: Mapping[str, Scored]) -> st
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta name="color-scheme" content="light dark">'
         f"<title>Scoreboard of the paper</title><style>{STYLE}</style></head><body><main>"
-        "<h1>Scoreboard: what the paper claims, and what the model does</h1>"
-        "<p>Serry, Zañartu &amp; Peterson (2026). Each claim was written down as a numeric test before anything was "
+        "<h1>Scoreboard: the claims of the paper and the results of the model</h1>"
+        "<p>Serry, Zañartu &amp; Peterson (2026). Each claim was fixed as a numeric test before the first "
         "run. <b>Pass</b>: as the paper says. <b>Deviation</b>: its sense holds, with the stated difference. "
         "<b>Fail</b>: neither.</p>"
         f"{_scores(variants)}{_summary(document)}{''.join(sections)}"
@@ -69,7 +69,7 @@ def _mark(verdict: str) -> str:
 
 
 def _failed_runs(variants: Mapping[str, Any]) -> str:
-    """Every run without an answer; the remedy that a reason ends on is left to the JSON."""
+    """Every run without an answer; the advice at the end of a reason is left out."""
     rows = "".join(
         f"<tr><td>{escape(name)}</td><td>{escape(CASES[run['case']].title)}</td><td>{escape(run['activation'])}</td>"
         f"<td>{escape(run['reason'].split('. ')[0])}</td></tr>"
@@ -110,7 +110,7 @@ def _number(value: float | str | None) -> str:
 
 
 def _picture(key: str, variant: str, scored: Scored, drawn: set[str]) -> str:
-    """The picture of a claim; one that several claims share is drawn once and used again."""
+    """The picture of a claim; a shared picture is drawn once and reused."""
     shown = figure(CLAIMS[key], scored.gathered.evidence)
     if shown is None:
         return ""

@@ -1,8 +1,7 @@
-"""The shipped results and the tables of docs/scoreboard.md and docs/model/, in a source tree (an installed package
-has no docs/).
+"""Writes the shipped results and the tables of docs/scoreboard.md and docs/model/. Needs a source tree.
 
-`python -m vocalis.studies.paper.report.ship` runs everything and writes both; with `--text` the tables alone, from the
-shipped results.
+`python -m vocalis.studies.paper.report.ship` runs everything and writes both; with `--text` it writes only the tables,
+from the shipped results.
 """
 
 import json
@@ -34,7 +33,7 @@ def shipped(path: Path) -> dict[str, Any]:
 
 
 def run_and_write() -> None:
-    """Everything anew; some minutes."""
+    """Run everything; a few minutes."""
     with workers(os.cpu_count() or 1) as pool:
         scored = {variant: score_variant(variant, pool) for variant in READINGS}
         study = study_document(pool)

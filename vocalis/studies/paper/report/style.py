@@ -1,4 +1,4 @@
-"""How the report looks: light, dark, and on paper."""
+"""Style of the report: light, dark, and print."""
 
 STYLE = """
 :root{--a:#0b62b8;--b:#c4501b;--c:#2f7d32;--good:#1d6b2a;--fair:#8a5a00;--bad:#b3261e;--rule:#bbb;

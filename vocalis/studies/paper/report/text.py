@@ -5,7 +5,7 @@ from typing import Any
 
 from vocalis.studies.paper.study.text import study_markdown
 
-#: A sentence that lists every level of a sweep says no more than its beginning.
+#: Longer sentences, which list every level of a sweep, are cut.
 LONGEST = 160
 
 
@@ -22,8 +22,8 @@ def tables(scoreboard: Mapping[str, Any], study: Mapping[str, Any]) -> dict[str,
 
 
 def filled(page: str, by_name: Mapping[str, str]) -> str:
-    """``page`` with what stands between ``<!-- table: NAME -->`` and ``<!-- end -->`` replaced by the table of that
-    name; KeyError for a table that has no place.
+    """``page`` with the text between ``<!-- table: NAME -->`` and ``<!-- end -->`` replaced by the table of that name;
+    KeyError for a table without such marks.
     """
     for name, table in by_name.items():
         mark = f"<!-- table: {name} -->\n"
@@ -52,13 +52,13 @@ def _claims(scoreboard: Mapping[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def _misses(scoreboard: Mapping[str, Any], variant: str, told: str) -> str:
+def _misses(scoreboard: Mapping[str, Any], variant: str, field: str) -> str:
     lines = ["| | verdict | the paper | here |", "|---|---|---|---|"]
     for claim in scoreboard["claims"]:
         outcome = scoreboard["variants"][variant]["outcomes"][claim["key"]]
         if outcome["verdict"] != "pass":
-            said = _cell(claim[told])
-            lines.append(f"| {claim['key']} | {outcome['verdict']} | {said} | {_short(_cell(outcome['sentence']))} |")
+            text = _cell(claim[field])
+            lines.append(f"| {claim['key']} | {outcome['verdict']} | {text} | {_short(_cell(outcome['sentence']))} |")
     return "\n".join(lines)
 
 

@@ -1,4 +1,4 @@
-"""The scoreboard as one plain document: for JSON, for the HTML report, for docs/scoreboard.md."""
+"""The scoreboard as a plain document for JSON, the HTML report and docs/scoreboard.md."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -14,32 +14,34 @@ from vfcore.spec.request import document_of, resolve
 from vfcore.spec.simulation import Simulation
 from vfcore.spec.variants import VARIANTS
 from vfcore.version import CODE_VERSION, MODEL_VERSION
-from vocalis.studies.paper.claims.claim import Claim, Outcome
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome
 from vocalis.studies.paper.claims.registry import CLAIMS
 from vocalis.studies.paper.evidence import ActivationMap, PcaSweep
 from vocalis.studies.paper.run.gather import Gathered, gather, warm_up
 from vocalis.studies.paper.run.score import cases_for, definitions_hash, judge, score
 
-#: The two readings of the paper, scored unless a variant is named: its numbers, and its text to the letter.
+#: The two readings of the paper, scored by default: its numbers, and its text to the letter.
 READINGS = ("paper", "text_literal")
-#: Six figures, well beyond what any verdict hangs on, keep the stored document small.
+#: Significant digits of stored numbers: more than any verdict needs, few enough to keep the document small.
 FIGURES = 6
 
 
 class Scored(NamedTuple):
-    """One variant: what ran, what came of it, how long it took."""
+    """One variant: its runs, outcomes and run time."""
 
     base: Simulation
     gathered: Gathered
-    outcomes: dict[str, Outcome]
+    outcomes: dict[str, ClaimOutcome]
     seconds: float
 
 
 def score_variant(
-    variant: str, pool: ProcessPoolExecutor, claims: Mapping[str, Claim] = CLAIMS,
+    variant: str,
+    pool: ProcessPoolExecutor,
+    claims: Mapping[str, Claim] = CLAIMS,
     progress: Callable[[str, int, int], None] = lambda case, done, total: None,
-) -> Scored:  # fmt: skip
-    """Run and judge ``claims`` for one model variant, with the source–tract coupling it is meant with."""
+) -> Scored:
+    """Run and judge ``claims`` for one model variant with its own source–tract coupling."""
     began = perf_counter()
     base = resolve({"model": {"variant": variant, "coupling": VARIANTS[variant].coupling}})
     warm_up(base)
@@ -58,7 +60,7 @@ def scoreboard(scored: Mapping[str, Scored], claims: Mapping[str, Claim] = CLAIM
 
 
 def provenance() -> dict[str, str]:
-    """What the scores belong to: model, code, definitions, libraries, time."""
+    """Versions of model, code, definitions and libraries, and the time."""
     return {
         "model_version": MODEL_VERSION,
         "code_version": CODE_VERSION,
@@ -93,7 +95,7 @@ def _variant(one: Scored) -> dict[str, Any]:
     }
 
 
-def plain_outcome(outcome: Outcome) -> dict[str, Any]:
+def plain_outcome(outcome: ClaimOutcome) -> dict[str, Any]:
     """Verdict, sentence and numbers as plain values."""
     return {
         "verdict": str(outcome.verdict),
@@ -103,7 +105,7 @@ def plain_outcome(outcome: Outcome) -> dict[str, Any]:
 
 
 def _states(found: Mapping[str, Any]) -> dict[str, dict[str, int]]:
-    """How many runs of each case ended in which phonation state."""
+    """Number of runs of each case by phonation state."""
     counted = {}
     for case, one in found.items():
         if hasattr(one, "state"):
@@ -117,7 +119,7 @@ def _plain(values: np.ndarray) -> Sequence[Any]:
 
 
 def plain_number(value: Any) -> Any:
-    """A JSON value: six figures, None for a number that is none."""
+    """A JSON value: rounded to the stored digits, None for a number that is not finite."""
     if value is None or isinstance(value, str):
         return None if value is None else str(value)
     return float(f"{value:.{FIGURES}g}") if math.isfinite(value) else None

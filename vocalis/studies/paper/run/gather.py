@@ -1,7 +1,7 @@
-"""From cases to evidence: the runs, in worker processes of their own.
+"""From cases to evidence: runs the cases in worker processes.
 
-A run without an answer (no posture, no static shape, divergence) is a ``Failure`` with the reason. It never stops the
-others: a map or sweep keeps it as a cell in state "failed"; a claim that needs just that run fails with the reason.
+A run without an answer (no posture, no static shape, divergence) is a ``Failure`` with the reason. It does not stop the
+others: in a map or sweep it is a cell with state "failed"; a claim that needs this run alone fails with the reason.
 """
 
 import time
@@ -23,15 +23,15 @@ from vocalis.studies.paper.cases import Case
 
 FAILED = "failed"
 LEVEL = "spl_lips_db"
-#: The shortest run that passes through every kernel.
+#: Duration of a run that is just long enough to use every kernel, s.
 WARM_UP_S = 0.02
 Progress = Callable[[str, int, int], None]
-#: From a request to the fold it stands for, before anything moves.
+#: A function from a request to its fold at rest.
 Prepare = Callable[[Simulation], FoldSetup]
 
 
 class Failure(NamedTuple):
-    """A run, or a case that hangs on it, without an answer."""
+    """The reason why a run, or a case that needs it, has no answer."""
 
     reason: str
 
@@ -48,7 +48,7 @@ class Gathered(NamedTuple):
 
 @contextmanager
 def workers(count: int) -> Iterator[ProcessPoolExecutor]:
-    """``count`` worker processes; on the way out nothing that waits is begun."""
+    """``count`` worker processes; on exit, queued runs are cancelled."""
     pool = ProcessPoolExecutor(count, mp_context=get_context("spawn"))
     try:
         yield pool
@@ -57,8 +57,8 @@ def workers(count: int) -> Iterator[ProcessPoolExecutor]:
 
 
 def warm_up(request: Simulation) -> None:
-    """Compile the kernels that ``request`` needs, once and before the workers each would."""
-    with suppress(VocalisError):  # an answer is not asked for here; the runs themselves say why there is none
+    """Compile the kernels that ``request`` needs once, before all workers would."""
+    with suppress(VocalisError):  # only compilation matters here; the runs report their own errors
         simulate(replace(request, run=replace(request.run, duration_s=WARM_UP_S, pressure_rise_s=0.0)))
 
 
@@ -71,12 +71,13 @@ def gather(
 ) -> Gathered:
     """All runs of the cases.
 
-    ``progress(case, runs done, runs in all)`` is called as runs end. ``level`` is the measure that stands for the
-    level of a map; ``fold`` makes the folds (a function that another process can find by its name). Timed cases come
-    last, with the machine to themselves as far as this process can tell.
+    ``progress(case, done, total)`` is called after each run. ``level``: the measure that is the level of a map.
+    ``fold``: the function that makes the folds, importable by name. Timed cases run last, when the workers are idle.
     """
     begun = {key: _begin(case, pool, fold) for key, case in cases.items() if case.kind != "timing"}
-    total, done, found, failures = sum(map(len, begun.values())), 0, {}, []
+    total, done = sum(map(len, begun.values())), 0
+    found: dict[str, Any] = {}
+    failures = []
     for key, futures in begun.items():
         answers = []
         for future in futures:
@@ -95,7 +96,7 @@ def gather(
 
 
 def gather_here(cases: Mapping[str, Case]) -> dict[str, Any]:
-    """Evidence of the cases, run in this process; of maps and sweeps only what their claims read."""
+    """Evidence of the cases, run in this process; maps and sweeps compute only the measures that claims read."""
     return {key: _EVIDENCE[case.kind](case, _answers(case)) for key, case in cases.items()}
 
 
@@ -132,14 +133,14 @@ def _begin(case: Case, pool: ProcessPoolExecutor, fold: Prepare) -> list[Future]
 
 
 def _answer(kind: str, request: Simulation, fold: Prepare):
-    """One run, in a worker: what its kind of evidence is made of."""
+    """One run, in a worker: the data for its kind of evidence."""
     try:
         if kind == "static":
             return fold(request).static
         result = simulate(request, prepared_by=fold)
     except VocalisError as error:
         return Failure(str(error))
-    return evidence.voice(result) if kind == "voice" else result.report
+    return evidence.voice_cycle(result) if kind == "voice" else result.report
 
 
 def _static(case: Case, answers: list) -> evidence.StaticSeries | Failure:
@@ -150,7 +151,7 @@ def _static(case: Case, answers: list) -> evidence.StaticSeries | Failure:
     return evidence.static_series(axis.levels, answers)
 
 
-def _voice(case: Case, answers: list) -> evidence.Voice | Failure:
+def _voice(case: Case, answers: list) -> evidence.VoiceCycle | Failure:
     return answers[0]
 
 
@@ -165,7 +166,7 @@ def _sweep(case: Case, answers: list) -> evidence.PcaSweep:
 
 
 def _read_at(level: str, answer):
-    """A report whose level is that of another measure; any other answer as it is."""
+    """A report with another measure as its level; any other answer unchanged."""
     if not isinstance(answer, MeasureReport):
         return answer
     return replace(answer, measures=answer.measures | {LEVEL: answer.measures[level]})

@@ -1,4 +1,4 @@
-"""Evidence to verdicts: the 29 claims judged, and which definitions and which model they were judged by."""
+"""From evidence to outcomes: judging the 29 claims, and the hash of their definitions."""
 
 import hashlib
 from collections import Counter
@@ -10,17 +10,25 @@ from typing import Any
 from vfcore.spec.simulation import Simulation
 from vocalis.studies.paper.bands import FAIL
 from vocalis.studies.paper.cases import CASES, Case
-from vocalis.studies.paper.claims.claim import Claim, Outcome, Verdict
+from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome, Verdict
 from vocalis.studies.paper.claims.registry import CLAIMS
 from vocalis.studies.paper.run.gather import Failure
 
-#: What decides a verdict; the runs, reports and pictures do not.
-DEFINITIONS = ("bands.py", "cases.py", "claims/*.py", "evidence.py", "geometry.py",
-               "trends.py", "vibration.py", "voicing.py")  # fmt: skip
+#: The files that decide a verdict; runs, reports and pictures do not.
+DEFINITIONS = (
+    "bands.py",
+    "cases.py",
+    "claims/*.py",
+    "evidence.py",
+    "geometry.py",
+    "trends.py",
+    "vibration.py",
+    "voicing.py",
+)
 
 
 def definitions_hash(room: Path = Path(__file__).parents[1]) -> str:
-    """SHA-256 over the source of all definitions: scores of another hash were judged by other rules."""
+    """SHA-256 of the source of all definitions: scores with another hash were judged by other rules."""
     digest = hashlib.sha256()
     for path in sorted(path for pattern in DEFINITIONS for path in room.glob(pattern)):
         digest.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
@@ -33,19 +41,19 @@ def cases_for(base: Simulation, claims: Mapping[str, Claim] = CLAIMS) -> dict[st
     return {key: replace(case, base=base) for key, case in CASES.items() if key in needed}
 
 
-def judge(found: Mapping[str, Any], claims: Mapping[str, Claim] = CLAIMS) -> dict[str, Outcome]:
-    """The outcome of each claim; one whose run has no answer fails with the reason."""
+def judge(found: Mapping[str, Any], claims: Mapping[str, Claim] = CLAIMS) -> dict[str, ClaimOutcome]:
+    """The outcome of each claim; a claim whose run has no answer fails with the reason."""
     return {key: _judge(claim, found) for key, claim in claims.items()}
 
 
-def _judge(claim: Claim, found: Mapping[str, Any]) -> Outcome:
+def _judge(claim: Claim, found: Mapping[str, Any]) -> ClaimOutcome:
     for case in claim.needs:
         if isinstance(found[case], Failure):
-            return Outcome(FAIL, (), f"No run to judge ({CASES[case].title}): {found[case].reason}")
+            return ClaimOutcome(FAIL, (), f"No run to judge ({CASES[case].title}): {found[case].reason}")
     return claim.judge(found)
 
 
-def score(outcomes: Mapping[str, Outcome]) -> dict[str, int]:
+def score(outcomes: Mapping[str, ClaimOutcome]) -> dict[str, int]:
     """How many claims pass, deviate and fail."""
     counted = Counter(outcome.verdict for outcome in outcomes.values())
     return {str(verdict): counted[verdict] for verdict in Verdict}

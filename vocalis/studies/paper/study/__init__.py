@@ -1,1 +1,1 @@
-"""The designed study of what the paper leaves open."""
+"""The designed study of the choices that the paper leaves open."""

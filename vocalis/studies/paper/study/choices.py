@@ -1,4 +1,4 @@
-"""What the paper leaves open, as changes of the request: one row for each choice that could be made otherwise."""
+"""The choices that the paper leaves open, as changes of the request, one row for each alternative."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -15,9 +15,9 @@ from vocalis.studies.paper.study.fold import with_reported_alpha
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """One choice. ``factor``: what is left open; ``takes``: what is chosen here; ``change``: of the request.
+    """One alternative. ``factor``: the open choice; ``takes``: the alternative; ``change``: its patch of the request.
 
-    ``level``: the measure that stands for the level of a map. ``fold``: how folds are made, where no request says it.
+    ``level``: the measure that is the level of a map. ``fold``: a function that makes the folds, if no request can.
     ``control``: a numerical setting that should change nothing; it is not paired.
     """
 
@@ -38,18 +38,18 @@ def _constant(factor: str, takes: str, **constants: float) -> Choice:
 
 
 def _tissues_of(name: str, *tissues: str) -> dict[str, float]:
-    """What differs from the default in the posturing constants of some tissues (``TA``, ``lig``, ``muc``)."""
+    """The posturing constants of some tissues (``TA``, ``lig``, ``muc``) that differ from the default."""
     own, other = posture_set(Simulation().posturing.set_name), posture_set(name)
     names = (c for c in constant_names() if c.split("_")[0] in tissues and own.value(c) != other.value(c))
     return {c: other.value(c) for c in names}
 
 
 def _tissue_mixes(name: str) -> Iterator[Choice]:
-    """Every mix of the default's tissues with those of a published set that has all else as the default."""
+    """All mixes of the default's tissues with those of a published set, all else at the default."""
     tissues = ("TA", "lig", "muc")
     for count in (1, 2):
-        for some in combinations(tissues, count):
-            yield _constant("posturing tissue", f"{' and '.join(some)} of {name}", **_tissues_of(name, *some))
+        for chosen in combinations(tissues, count):
+            yield _constant("posturing tissue", f"{' and '.join(chosen)} of {name}", **_tissues_of(name, *chosen))
 
 
 DEFAULT = Choice("default", "", {})
@@ -58,14 +58,14 @@ CHOICES = (
     _constant("θ_0", "0.248 rad", rest_angle_rad=0.248),
     _constant("θ_0", "0.239 rad", rest_angle_rad=0.239),
     _constant("θ_0", "0.2 rad", rest_angle_rad=0.2),
-    # The vibrating TA has these in the paper's table; the posturing of serry2026 has 0.4 and 1.07.
+    # The paper's table has these values for the vibrating TA; the posturing of serry2026 has 0.4 and 1.07.
     _constant("TA of the posturing", "ε_m 0.3, b 1", TA_strain_at_max_active_stress=0.3, TA_active_width_b=1.0),
     Choice("posturing set", "alzamendi2020", {"model": {"posture_set": "alzamendi2020"}}),
     Choice("posturing set", "titze2006", {"model": {"posture_set": "titze2006"}}),
     Choice("posturing set", "palaparthi2019", {"model": {"posture_set": "palaparthi2019"}}),
     *_tissue_mixes("alzamendi2020"),
     Choice("α in the bending stiffness", "1/(2 ratio + 1)", {}, fold=with_reported_alpha),
-    # Interpolated, the separation point would be where finer rows put it: to half a spacing of the default's.
+    # An interpolated separation point would be where finer rows put it, within half a spacing of the default rows.
     Choice("separation point", "read on 20 rows", {"run": {"ny": 20}}),
     Choice("coupling gradient", "superior_stiff", {"model": {"coupling_gradient": "superior_stiff"}}),
     Choice("shear", "rotation", {"model": {"shear": "rotation"}}),
@@ -79,7 +79,7 @@ CHOICES = (
     Choice("vowel", "AE", {"vowel": "AE"}),
     Choice("time step", "the paper's", {"run": {"time_step_s": PAPER_STEP_S}}, control=True),
 )
-#: Beyond pairs of what helps alone: what else moves strain and angle, each with the shorter length of the posturing.
+#: In addition to the pairs: other changes of strain and angle, each with the shorter length of the posturing.
 _SHORT = CHOICES[0]
 
 

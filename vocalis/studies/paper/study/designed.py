@@ -1,8 +1,8 @@
-"""The designed study: which claims change when a choice that the paper leaves open is made otherwise.
+"""The designed study: which claims change with each choice that the paper leaves open.
 
 One factor at a time around the defaults of the variant "paper", then pairs of the most promising choices, then a
-designed set over what makes the posture, on maps of 11 × 11 cells. T1 is left out: no choice but the step changes
-what a run costs. Run it with `vocalis paper --study`.
+designed set of changes of the posture, on maps of 11 × 11 cells. T1 is left out: only the time step changes the cost of
+a run. Run it with `vocalis paper --study`.
 """
 
 from collections.abc import Callable, Mapping
@@ -13,7 +13,7 @@ from time import perf_counter
 from typing import Any
 
 from vfcore.spec.request import resolve
-from vocalis.studies.paper.cases import Axis, Case, evenly
+from vocalis.studies.paper.cases import Case, MuscleAxis, evenly
 from vocalis.studies.paper.claims.claim import Verdict
 from vocalis.studies.paper.claims.registry import CLAIMS
 from vocalis.studies.paper.run.document import plain_outcome, provenance
@@ -22,10 +22,10 @@ from vocalis.studies.paper.run.score import cases_for, judge, score
 from vocalis.studies.paper.study.choices import CHOICES, DEFAULT, DESIGNED, Choice, both
 
 COARSE = evenly(10)
-#: How many choices, each of another factor, are tried in pairs.
+#: How many choices, each of a different factor, are tried in pairs.
 PAIRED = 4
 _POINTS = {Verdict.PASS: 2, Verdict.DEVIATION: 1, Verdict.FAIL: 0}
-#: All claims but the cost of a run.
+#: All claims except the cost of a run.
 PHYSICS = {key: claim for key, claim in CLAIMS.items() if key != "T1"}
 Watch = Callable[[str], Callable[[str, int, int], None]]
 
@@ -64,7 +64,7 @@ def promising(rows: list[tuple[Choice, dict[str, Any]]]) -> list[Choice]:
 
 
 def changes(row: Mapping[str, Any], default: Mapping[str, Any]) -> list[tuple[str, str, str]]:
-    """(claim, verdict by default, verdict here) of the claims that come out otherwise."""
+    """(claim, default verdict, verdict of the row) of the claims whose verdict differs."""
     pairs = ((key, one["verdict"], row["outcomes"][key]["verdict"]) for key, one in default["outcomes"].items())
     return [(key, was, now) for key, was, now in pairs if was != now]
 
@@ -86,7 +86,7 @@ def _tried(choice: Choice, pool: ProcessPoolExecutor, watched: Watch) -> tuple[C
 
 
 def coarse(case: Case) -> Case:
-    """The case with a map of 11 × 11 cells; curves and shapes as they are."""
+    """The case with a map of 11 × 11 cells; curves and shapes unchanged."""
     if case.kind != "map":
         return case
-    return replace(case, axes=tuple(Axis(axis.muscles, COARSE) for axis in case.axes))
+    return replace(case, axes=tuple(MuscleAxis(axis.muscles, COARSE) for axis in case.axes))

@@ -1,4 +1,4 @@
-"""Folds made otherwise than the product makes them, for the study alone."""
+"""Alternative folds, for the study only."""
 
 from dataclasses import replace
 
@@ -9,7 +9,7 @@ from vfcore.spec.simulation import Simulation
 
 
 def with_reported_alpha(request: Simulation) -> FoldSetup:
-    """The fold of a request with the bending stiffness that the authors' program is said to use."""
+    """The fold of a request with the bending stiffness that the authors' program reportedly uses."""
     return prepare(request, lambda c: replace(c, bending_stiffness_n_m2=reported_stiffness(c, request.constants)))
 
 

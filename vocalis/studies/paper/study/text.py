@@ -24,6 +24,6 @@ def _score(row: Mapping[str, Any]) -> str:
 
 
 def _listed(row: Mapping[str, Any], default: Mapping[str, Any], sign: int) -> str:
-    """The claims that come out better (sign 1) or worse (−1), each with what it becomes."""
+    """The claims with a better (sign 1) or worse (−1) verdict, each with that verdict."""
     moved = [(key, now) for key, was, now in changes(row, default) if sign * (_RANK[now] - _RANK[was]) > 0]
     return ", ".join(f"{key} {now}" for key, now in moved)

@@ -1,8 +1,8 @@
-"""What is read off a run for the norms, measured as the norms were.
+"""Numbers of a run, measured in the way of the norms.
 
-Flow norms come from inverse-filtered mask recordings, whose bandwidth is about 1 kHz: the flow is low-passed at
-MASK_HZ first (Gaussian, −3 dB), and open and rising times are read where the flow is ABOVE_BASELINE of its swing above
-its smallest value, because most speakers leak through the back of the glottis.
+Flow norms come from inverse-filtered mask recordings, whose bandwidth is about 1 kHz: the flow is low-passed at MASK_HZ
+first (Gaussian, −3 dB), and open and rising times are read where the flow exceeds its minimum by ABOVE_BASELINE of its
+peak-to-peak value, because most speakers have a posterior leak.
 """
 
 from itertools import pairwise
@@ -19,7 +19,7 @@ ABOVE_BASELINE = 0.2
 
 
 class FlowMeasures(NamedTuple):
-    """Of the low-passed flow, means over cycles; mL/s, L/s², and ratios."""
+    """Measures of the low-passed flow, means over cycles: mL/s, L/s², and ratios."""
 
     ac_ml_s: float = nan
     min_ml_s: float = nan
@@ -28,8 +28,10 @@ class FlowMeasures(NamedTuple):
     speed_quotient: float = nan
 
 
-class Voice(NamedTuple):
-    """One run: its phonation state, measures of the catalogue by key (NaN where there is none), flow as by a mask."""
+class NormReading(NamedTuple):
+    """Numbers of one run: phonation state, measures of the catalogue by key (NaN if missing), flow as seen by a
+    mask.
+    """
 
     state: str
     measures: dict[str, float]
@@ -39,20 +41,20 @@ class Voice(NamedTuple):
 NO_VOICE = "none"
 
 
-def voice(result: SimulationResult) -> Voice:
+def reading(result: SimulationResult) -> NormReading:
     """The numbers of a run."""
     measures = {key: nan if m.value is None else float(m.value) for key, m in result.report.measures.items()}
     flow = FlowMeasures()
     if np.isfinite(measures["fo_hz"]):
         rate = result.provenance.sample_rate_hz
         flow = flow_measures(result.arrays["glottal_flow_m3_s"], rate, measures["fo_hz"])
-    return Voice(result.report.state, measures, flow)
+    return NormReading(result.report.state, measures, flow)
 
 
 def flow_measures(flow_m3_s: np.ndarray, sample_rate_hz: float, fo_hz: float) -> FlowMeasures:
     """Measures of the last half of a flow, shape (n,), cycle by cycle of length 1/f_o."""
     sigma = sqrt(log(2.0)) / (2 * pi * MASK_HZ) * sample_rate_hz
-    reach = int(4 * sigma) + 1  # the filter sees no flow beyond the end
+    reach = int(4 * sigma) + 1  # no flow beyond the end
     smooth = gaussian_filter1d(flow_m3_s, sigma)[:-reach] * 1e6
     slope = np.diff(smooth, prepend=smooth[0]) * sample_rate_hz * 1e-3
     period = sample_rate_hz / fo_hz
@@ -65,7 +67,7 @@ def flow_measures(flow_m3_s: np.ndarray, sample_rate_hz: float, fo_hz: float) ->
 
 
 def _cycle(flow_ml_s: np.ndarray, slope_l_s2: np.ndarray) -> tuple[float, float, float, float, float]:
-    """The measures of one cycle, its times read from the smallest flow on."""
+    """The measures of one cycle, which starts at the smallest flow."""
     wave = np.roll(flow_ml_s, -int(flow_ml_s.argmin()))
     low, swing = float(wave.min()), float(np.ptp(wave))
     above = np.flatnonzero(wave > low + ABOVE_BASELINE * swing)
