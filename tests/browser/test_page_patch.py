@@ -248,7 +248,7 @@ def test_old_values_stay_until_the_new_ones_are_there_and_a_failed_call_is_repea
     here.expected = re.compile("Failed to load resource")
     here.page.route("**/api/v1/resolve", lambda route: route.abort())
     here.page.locator(".advanced summary").click()
-    boxes = "() => [...document.querySelectorAll('.left *')].map((e) => Math.round(e.getBoundingClientRect().top))"
+    boxes = "() => [...document.querySelectorAll('.left *')].map((e) => [e.offsetTop, e.offsetHeight])"
     before = here.page.evaluate(boxes)
     here.page.locator(".variant select").select_option("human")
     here.page.wait_for_function(ANSWERED)  # a live answer is a reason of its own to call again
