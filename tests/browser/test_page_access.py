@@ -26,7 +26,7 @@ def findings(here, colours_only: bool = False) -> list[str]:
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing_on_a_desk(visit, scheme):
+def test_axe_finds_nothing_on_a_desktop(visit, scheme):
     here = visit("?activation.ct=0.5", color_scheme=scheme)
     colours = scheme == "dark"  # all else was found out in the light
     here.page.get_by_text("Advanced").click()
@@ -80,7 +80,7 @@ def test_axe_finds_nothing_when_values_are_refused_or_nothing_vibrates(visit):
     assert findings(here) == []
 
 
-def test_one_screen_holds_the_desk_without_scrolling(visit):
+def test_the_desktop_layout_fits_one_screen_without_scrolling(visit):
     here = visit(viewport=DESK)
     sizes = here.page.evaluate(
         "[document.scrollingElement, ...document.querySelectorAll('.left, .panel, .strip, .centre')]"
@@ -96,7 +96,7 @@ INSIDE = """() => {
 }"""
 
 
-def test_the_sentence_of_every_preset_is_whole_on_every_desk(visit):
+def test_the_sentence_of_every_preset_is_fully_visible_on_every_desktop(visit):
     here = visit()
     presets = here.page.locator(".preset option").evaluate_all("all => all.map((option) => option.value)")
     assert len(presets) == 8
@@ -108,7 +108,7 @@ def test_the_sentence_of_every_preset_is_whole_on_every_desk(visit):
     here.settle()
 
 
-def test_the_stage_stays_on_top_of_a_phone(visit):
+def test_the_picture_of_the_folds_stays_on_top_on_a_phone(visit):
     here = visit(viewport=PHONE, has_touch=True)
     here.page.mouse.wheel(0, 600)
     here.page.wait_for_timeout(200)
@@ -118,7 +118,7 @@ def test_the_stage_stays_on_top_of_a_phone(visit):
     assert box["y"] >= 0 and tabs["y"] < 844 / 2 + 60, "stage and tabs are still there"
 
 
-def test_what_became_of_the_voice_is_announced_once_the_hand_rests(visit):
+def test_the_state_is_announced_once_the_controls_rest(visit):
     here = visit()
     live = here.page.locator("[aria-live=polite]")
     live.filter(has_text="Periodic phonation, 150 hertz, 101 decibels").wait_for(state="attached")

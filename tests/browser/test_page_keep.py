@@ -19,7 +19,7 @@ def keep(here):
 
 
 @pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
-def test_figures_are_kept_as_vectors_and_as_pixels(visit, viewport):
+def test_figures_are_exported_as_vectors_and_as_pixels(visit, viewport):
     here = visit(viewport=viewport)
     here.page.locator("#tab-waves" if viewport == PHONE else "#panel-folds").click()
     here.settle()
@@ -39,7 +39,7 @@ def test_figures_are_kept_as_vectors_and_as_pixels(visit, viewport):
     assert head[1:4] == b"PNG" and int.from_bytes(head[16:20], "big") == pytest.approx(3 * wide, abs=3)
 
 
-def test_data_are_kept_as_csv_netcdf_and_sound(visit):
+def test_data_are_exported_as_csv_netcdf_and_sound(visit):
     here = visit()
     dialog = keep(here)
     with here.page.expect_download() as waiting:
@@ -57,7 +57,7 @@ def done(command: list[str]) -> str:
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=120, check=True).stdout
 
 
-def test_python_and_curl_run_as_printed_and_find_the_same_voice(visit):
+def test_the_printed_python_and_curl_give_the_same_voice(visit):
     here = visit("?activation.ct=0.7&vowel=i&model.variant=human&constants.C_coup_pa_s_m=10")
     shown = here.api(f"jobs/{here.result_id()}/result")
     dialog = keep(here)
@@ -77,7 +77,7 @@ def pages(here) -> int:
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_the_report_is_one_page_on_white_with_what_was_seen(visit, scheme):
+def test_the_report_is_one_white_page_with_the_displayed_values(visit, scheme):
     here = visit("?activation.pca=0.5", color_scheme=scheme)
     here.page.keyboard.press("a")
     here.set("activation.lca", 1)

@@ -47,7 +47,7 @@ def number(text: str) -> float:
 
 
 @pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
-def test_the_eight_lessons_show_what_they_speak_of(visit, viewport):
+def test_the_eight_lessons_show_what_they_describe(visit, viewport):
     """What the voices do is the same at both sizes and is waited for on the desk."""
     here = visit(viewport=viewport)
     here.page.locator("#tab-more" if viewport is PHONE else "#panel-lessons").click()

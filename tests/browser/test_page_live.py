@@ -30,7 +30,7 @@ def test_one_movement_changes_posture_pictures_numbers_and_address(visit):
     here.page.wait_for_url(re.compile(r"activation\.ct=0\.6"))
 
 
-def test_the_shapes_beside_the_hand_are_there_before_it_moves(visit):
+def test_neighbouring_shapes_are_prefetched_before_a_control_moves(visit):
     here = visit()
     asked = []
     here.page.on("request", lambda request: asked.append(request.url.rpartition("/")[2]))
@@ -49,7 +49,7 @@ def test_the_shapes_beside_the_hand_are_there_before_it_moves(visit):
     assert "posture" in asked, "beyond the prefetched values the page asks"
 
 
-def test_the_address_is_the_voice(visit):
+def test_the_address_holds_the_voice(visit):
     here = visit("?activation.ta=0.1&activation.ct=1&vowel=i")
     assert here.typed("Thyroarytenoid (TA)").input_value() == "0.10"
     assert here.page.locator("input[name=vowel]:checked").get_attribute("value") == "i"
@@ -58,7 +58,7 @@ def test_the_address_is_the_voice(visit):
     assert request["vowel"] == "i"
 
 
-def test_a_name_that_is_no_parameter_is_told(visit):
+def test_an_unknown_parameter_in_a_link_is_reported(visit):
     here = visit("?activation.tongue=1")
     assert "activation.tongue" in here.page.locator(".notice").inner_text()
 
@@ -84,7 +84,7 @@ def test_double_click_goes_back_to_the_default_and_tied_muscles_move_together(vi
     assert here.typed("Interarytenoid (IA)").input_value() == "0.50"
 
 
-def test_pointing_at_a_wave_moves_stage_and_maps_to_that_moment(visit):
+def test_pointing_at_a_wave_moves_folds_and_maps_to_that_moment(visit):
     here = visit()
     here.hold_still(100)
     before = {name: here.picture(name) for name in ("stage", "map-aero")}
@@ -95,7 +95,7 @@ def test_pointing_at_a_wave_moves_stage_and_maps_to_that_moment(visit):
     assert here.page.locator(".percent").inner_text().strip() != "10 %"
 
 
-def test_the_motion_moves_and_stops(visit):
+def test_the_motion_starts_and_stops(visit):
     here = visit(**MOVING)
     first = here.picture("stage")
     here.page.wait_for_timeout(400)

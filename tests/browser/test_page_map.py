@@ -79,7 +79,7 @@ def test_a_cell_opens_its_voice(visit, viewport):
     here.page.wait_for_url(lambda address: "activation.ct=1" in address and "activation.ta=0" in address)
 
 
-def test_the_map_follows_is_compared_and_kept_as_a_table(visit):
+def test_a_map_follows_the_controls_is_compared_and_exported(visit):
     here = open_map(visit)
     make(here)
     before = here.page.evaluate(SHOWN)
@@ -124,7 +124,7 @@ def test_a_long_map_can_be_stopped(visit):
     assert newest["status"] == "dismissed"
 
 
-def test_what_cannot_be_mapped_is_said(visit):
+def test_an_invalid_map_is_refused_with_the_reason(visit):
     here = open_map(visit)
     here.page.get_by_role("combobox", name="Up: parameter").select_option("activation.ta")
     here.page.get_by_role("button", name="Make the map").click()

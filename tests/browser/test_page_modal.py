@@ -32,7 +32,7 @@ def test_every_picture_has_data(visit):
     assert len(marks) == 2 and all(len(text.split()) >= 3 for text in marks), "both colour bars have numbers"
 
 
-def test_the_opening_on_the_stage_has_the_area_of_the_wave(visit):
+def test_the_drawn_opening_has_the_area_of_the_waveform(visit):
     here = visit()
     outlines = here.page.evaluate(OUTLINES)
     for edges, around_m2 in outlines:

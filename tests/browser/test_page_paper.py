@@ -53,7 +53,7 @@ def test_every_part_is_drawn_fits_and_is_open_to_all(visit, section, viewport):
     assert f"paper={section}" in here.page.url
 
 
-def test_the_verdicts_stand_beside_the_figures(visit):
+def test_the_verdicts_are_shown_with_the_figures(visit):
     here = open_section(visit, "pca")
     assert "fail" in here.page.locator("[data-claim=P3]").inner_text()
     here.page.get_by_role("tab", name="Scoreboard").click()
@@ -127,7 +127,7 @@ def test_a_figure_is_computed_again_and_the_shipped_one_comes_back(visit):
     assert tools.get_by_text("Computed here").count() == 0
 
 
-def test_a_long_one_can_be_stopped(visit):
+def test_a_long_computation_can_be_stopped(visit):
     here = open_section(visit, "maps")
     tools = here.page.locator(".figure-tools")
     tools.get_by_role("button", name="Compute again").click()

@@ -45,7 +45,7 @@ window.print = () => { window.printed = true; };
 
 
 @pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
-def test_a_strangers_path_takes_less_than_a_minute_and_no_manual(visit, viewport):
+def test_a_first_visit_from_opening_to_report_works_without_a_manual(visit, viewport):
     """Open, choose breathy, see the gap, run, hear, hold A, raise LCA, compare, print the report."""
     phone = viewport is PHONE
     start = time.monotonic()

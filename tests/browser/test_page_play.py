@@ -95,7 +95,7 @@ def test_p_starts_and_stops_and_the_help_says_so(played):
     assert np.abs(sound[-QUANTUM:]).max() < 0.01, "it was faded out, not cut"
 
 
-def test_a_gesture_is_recorded_and_its_sound_is_kept(played):
+def test_a_gesture_is_recorded_and_its_sound_is_exported(played):
     played.start()
     played.page.get_by_role("button", name="Record").click()
     played.drag("activation.ct", 0.8)
@@ -106,7 +106,7 @@ def test_a_gesture_is_recorded_and_its_sound_is_kept(played):
     assert download.value.path().stat().st_size > 0.5 * RATE * 2
 
 
-def test_on_a_phone_it_plays_under_the_stage(visit):
+def test_on_a_phone_the_pad_is_under_the_folds(visit):
     phone = Played(visit(viewport=PHONE, has_touch=True, init=TAPE, bypass_csp=True)).start()
     phone.pad(0.9, 0.2)
     part = phone.hold(0.4)

@@ -56,7 +56,7 @@ def fo_hz(here) -> float:
     return here.api(f"jobs/{here.result_id()}/result")["measures"]["fo_hz"]["value"]
 
 
-def test_nothing_sounds_before_a_gesture_then_the_voice_at_its_pitch_and_modestly(visit):
+def test_nothing_sounds_before_a_user_gesture_then_the_voice_at_its_pitch_and_a_modest_level(visit):
     here = visit(init=TAP)
     assert here.page.evaluate("window.taps.length") == 0
     here.page.get_by_role("button", name="Listen").click()
@@ -66,7 +66,7 @@ def test_nothing_sounds_before_a_gesture_then_the_voice_at_its_pitch_and_modestl
     assert unlike_itself(samples, rate / fo_hz(here)) < 0.05, "no jump where the loop begins again"
 
 
-def test_the_sounding_voice_follows_the_hand_and_falls_silent_with_it(visit):
+def test_the_sound_follows_the_controls_and_stops_with_the_phonation(visit):
     here = visit(init=TAP)
     here.page.keyboard.press("Space")
     low, _ = heard(here)
@@ -103,7 +103,7 @@ def test_without_repeat_the_run_sounds_once(visit):
     assert np.abs(heard(here)[0]).max() == 0
 
 
-def test_the_sound_can_be_kept_as_a_file(visit):
+def test_the_sound_can_be_saved_as_a_file(visit):
     here = visit()
     with here.page.expect_download() as download:
         here.page.get_by_role("link", name="Download").click()
@@ -189,7 +189,7 @@ STREAM = """async ([pieces, rate]) => {
 }"""
 
 
-def test_a_played_voice_that_runs_dry_fades_out_and_in_and_says_so(modules):
+def test_a_buffer_underrun_fades_out_and_in_and_is_reported(modules):
     rate, seconds = 48000, 0.2
     t = np.arange(round(seconds * rate)) / rate
     first, second = (np.sin(2 * np.pi * 200 * (t + begin)).tolist() for begin in (0, seconds))

@@ -26,7 +26,7 @@ def seen(here: Visit) -> dict[str, str]:
     return found
 
 
-def test_the_same_state_looks_the_same_whichever_way_it_came(visit):
+def test_the_same_state_looks_the_same_however_it_was_reached(visit):
     here = visit()
     here.set("activation.lca", 0.5)
     here.page.locator(".preset select").select_option("breathy")
@@ -43,7 +43,7 @@ def test_the_same_state_looks_the_same_whichever_way_it_came(visit):
     assert [name for name in by_link if by_hand[name] != by_link[name]] == []
 
 
-def test_what_is_taken_down_leaves_nothing_behind(visit):
+def test_unmounting_leaves_nothing_behind(visit):
     here = visit()
     here.hold_still()
     counts = []

@@ -38,7 +38,7 @@ def stream(chromium):
     page.close()
 
 
-def test_a_dip_is_remembered_for_half_a_minute_and_then_forgotten_slowly(stream):
+def test_after_a_dip_the_buffer_target_is_raised_for_half_a_minute_and_then_falls_slowly(stream):
     calm, dipped, later, after, long_after = stream((20, 0), (1, 29), (20, 0), (25, 0), (60, 0))
     assert calm == [30, 0]
     assert dipped == [pytest.approx(35, abs=3), 0], "the next one as deep would leave some"
@@ -47,11 +47,11 @@ def test_a_dip_is_remembered_for_half_a_minute_and_then_forgotten_slowly(stream)
     assert long_after == [30, 0]
 
 
-def test_after_a_gap_more_is_kept(stream):
+def test_after_a_gap_the_buffer_target_rises(stream):
     (_, before), (wanted, gaps) = stream((6, 0), (2, 60))
     assert before == 0 and gaps == 1
     assert 46 <= wanted <= 80
 
 
-def test_however_deep_the_dips_there_is_a_most(stream):
+def test_the_buffer_target_has_an_upper_limit(stream):
     assert max(wanted for wanted, _ in stream(*[(2, 400)] * 30)) <= 200

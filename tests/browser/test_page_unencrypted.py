@@ -34,7 +34,7 @@ def pasted(here) -> str:
     return held.evaluate("async (held) => await held.text")
 
 
-def test_a_shared_link_survives_the_way_in_and_the_page_says_what_needs_tls(elsewhere):
+def test_a_shared_link_works_and_the_page_lists_what_needs_tls(elsewhere):
     browser, address = elsewhere
     here = Visit(browser.new_context(viewport=DESK), address)
     here.expected = re.compile("Cross-Origin-Opener-Policy")  # ignored by browsers without TLS, and said so
@@ -66,6 +66,6 @@ def test_a_shared_link_survives_the_way_in_and_the_page_says_what_needs_tls(else
     here.context.close()
 
 
-def test_on_this_machine_the_page_does_not_speak_of_tls(visit):
+def test_on_localhost_the_page_does_not_mention_tls(visit):
     here = visit()
     assert "TLS" not in here.page.locator(".left .use").inner_text()

@@ -34,7 +34,7 @@ def test_the_spectrum_follows_voice_and_vowel(visit, viewport):
     assert [name for name in before if here.picture(name) == before[name]] == []
 
 
-def test_heavy_pictures_wait_for_the_hand_to_rest(visit):
+def test_expensive_pictures_wait_until_the_controls_rest(visit):
     here = visit()
     show(here, "voice")
     before = here.picture("spectrum")
@@ -126,7 +126,7 @@ def test_a_and_b_side_by_side_as_difference_and_to_hear(visit, viewport):
     here.page.wait_for_url("**/?activation.pca=0.5")
 
 
-def test_undo_and_redo_walk_through_the_voices_of_the_visit(visit):
+def test_undo_and_redo_step_through_the_voices_of_the_visit(visit):
     here = visit()
     here.painted()
     for path, value in (("activation.ct", 0.6), ("activation.ta", 0.1)):
@@ -152,7 +152,7 @@ def test_undo_and_redo_walk_through_the_voices_of_the_visit(visit):
 
 
 @pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
-def test_a_lesson_sets_the_model_and_says_what_to_see(visit, viewport):
+def test_a_lesson_sets_the_model_and_describes_what_to_see(visit, viewport):
     here = visit(viewport=viewport)
     if viewport == PHONE:
         here.page.locator("#tab-more").click()
@@ -202,7 +202,7 @@ def test_the_strobe_shows_as_many_cycles_a_second_at_any_pitch(visit):
     assert 5 < steps <= 40, "flashes, not a film"
 
 
-def test_where_the_motion_is_stopped_the_numbers_are_those_of_the_picture(visit):
+def test_when_the_motion_stops_the_numbers_are_those_of_the_picture(visit):
     here = visit()
     apart = here.page.evaluate(
         """async () => {

@@ -40,7 +40,7 @@ def test_the_document_holds_contours_and_a_measured_stretch_between_breakpoints(
     assert document["segments"][-1]["measures"]["fo_hz"]["value"] == pytest.approx(177.7, abs=1)
 
 
-def test_the_files_say_what_is_printed(finished):
+def test_the_files_hold_the_printed_values(finished):
     document, folder = finished
     with open(folder / "glide.csv", newline="") as file:
         rows = list(csv.DictReader(file))
@@ -55,7 +55,7 @@ def test_the_files_say_what_is_printed(finished):
         assert np.abs(np.frombuffer(file.readframes(48_000), "<i2")).max() > 20_000
 
 
-def test_what_was_printed_can_be_rendered_again_to_the_same_sound(finished, tmp_path):
+def test_the_printed_gesture_renders_to_the_same_sound(finished, tmp_path):
     document, folder = finished
     request = tmp_path / "recorded.json"
     request.write_text(json.dumps(document["provenance"]["request"]))
@@ -74,7 +74,7 @@ def test_what_was_printed_can_be_rendered_again_to_the_same_sound(finished, tmp_
         (["--wav", "/nowhere/at/all.wav"], "--wav"),
     ],
 )
-def test_what_cannot_be_done_is_said_in_one_line_by_its_place(arguments, said):
+def test_an_invalid_gesture_is_refused_in_one_line_that_names_the_field(arguments, said):
     done = vocalis("gesture", *arguments)
     assert done.returncode != 0 and done.stdout == ""
     assert said in done.stderr and len(done.stderr.strip().splitlines()) == 1

@@ -31,7 +31,7 @@ def vocalis(*arguments, **options) -> subprocess.CompletedProcess:
         ("activation.lca,activation.ia=0.5", ["activation.lca", "activation.ia"], [0.5]),
     ],
 )
-def test_an_axis_says_what_a_person_would_write(text, parameter, values):
+def test_axis_values_are_rounded_as_a_person_would_write_them(text, parameter, values):
     assert axis(text) == {"parameter": parameter, "values": values}
 
 
@@ -81,7 +81,7 @@ def test_bad_input_is_one_clear_line_and_exit_code_2(arguments, said):
     assert said in ended.stderr and ended.stderr.startswith("vocalis: ") and ended.stderr.count("\n") == 1, ended.stderr
 
 
-def test_a_killed_sweep_goes_on_where_it_was(tmp_path):
+def test_a_killed_sweep_resumes(tmp_path):
     arguments = (
         "sweep",
         "--axis",

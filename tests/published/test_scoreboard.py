@@ -37,13 +37,13 @@ def printed(variant):
 
 
 @pytest.mark.parametrize("key", [key for key in QUICK if key in PASSED])
-def test_what_passed_passes_still(key):
+def test_passing_claims_still_pass(key):
     outcome = quick("paper")[key]
     assert outcome.verdict == "pass", outcome.sentence
 
 
 @pytest.mark.parametrize("key", [key for key in QUICK if key in HELD])
-def test_what_held_with_a_difference_holds_still(key):
+def test_deviating_claims_do_not_fail(key):
     outcome = quick("paper")[key]
     assert outcome.verdict != "fail", outcome.sentence
 
@@ -63,7 +63,7 @@ def test_the_shipped_verdicts_on_maps_and_sweeps_are_those_of_the_model(variant)
     assert {key: str(one.verdict) for key, one in scored.outcomes.items()} == {key: shown[key] for key in MANY_RUNS}
 
 
-def test_the_shipped_score_is_the_one_we_hold():
+def test_the_shipped_score_is_the_expected_one():
     verdicts = printed("paper")
     assert list(verdicts) == list(CLAIMS)
     assert PASSED <= {key for key, verdict in verdicts.items() if verdict == "pass"}
@@ -92,7 +92,7 @@ def test_the_page_shows_the_shipped_tables(path):
     assert filled(page, pages()[path]) == page, "run `python -m vocalis.studies.paper.report.ship --text`"
 
 
-def test_no_table_of_the_scoreboard_stands_without_its_maker():
+def test_every_table_of_the_scoreboard_has_a_generator():
     assert set(re.findall(r"<!-- table: (.+) -->", PAGE.read_text(encoding="utf-8"))) == set(pages()[PAGE])
 
 
@@ -101,7 +101,7 @@ def test_the_last_refinement_of_grid_and_step_is_within_the_bounds_set_beforehan
     assert len(found) == 9 and all(row["met"] for row in found)
 
 
-def test_no_open_choice_lets_more_claims_hold_than_the_default():
+def test_no_open_choice_satisfies_more_claims_than_the_default():
     """What the page concludes from the study: fewer failures are to be had from no single choice, nor from a pair."""
     default, *others = shipped(STUDY)["rows"]
     assert len(others) >= 40

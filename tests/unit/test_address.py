@@ -128,7 +128,7 @@ def test_a_point_of_a_sweep_has_the_computation_and_address_of_its_own_request(m
 
 
 @given(models, patches, patches)
-def test_every_way_to_a_request_leads_to_the_same_one(model, base, patch):
+def test_every_form_of_a_request_gives_the_same_request(model, base, patch):
     """Document, patch, patch on a request, shortest patch, complete document: one request."""
     asked = asking(base | patch, model)
     request, start = resolved(asked), resolved(asking(base, model))
@@ -149,7 +149,7 @@ def test_every_way_to_a_request_leads_to_the_same_one(model, base, patch):
 
 
 @given(models, patches)
-def test_the_shortest_patch_names_nothing_that_the_variant_brings(model, patch):
+def test_the_shortest_patch_omits_the_choices_of_the_variant(model, patch):
     request = resolved(asking(patch, model))
     if request is None:
         return

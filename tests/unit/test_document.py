@@ -74,7 +74,7 @@ def test_the_provenance_is_enough_to_run_it_again(modal):
     assert provenance["time_step_s"] == pytest.approx(0.0025 / 350 * 5)
 
 
-def test_what_is_missing_says_why():
+def test_missing_values_have_a_reason():
     document = result_document(simulate(SILENT))
     assert document["phonation_state"] == "none" and document["periodicity"] is None
     assert document["null_reasons"]["periodicity"] == document["explanation"]
@@ -106,6 +106,6 @@ def test_a_given_posture_is_a_posture_too():
     assert posture["length_m"] == pytest.approx(0.018) and posture["converged"] is True
 
 
-def test_json_refuses_what_is_not_json():
+def test_values_that_are_not_json_are_refused():
     with pytest.raises(ValueError):
         json_text({"value": math.nan})

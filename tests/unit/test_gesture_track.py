@@ -34,7 +34,7 @@ def test_never_beyond_its_own_values(values, time):
         ({"constants": {"K_col_pa_m": [[0, 1e6], [1, 1.0]]}}, "constants.K_col_pa_m.1.1", "out of range"),
     ],
 )
-def test_a_bad_breakpoint_is_refused_by_its_place(document, path, said):
+def test_a_bad_breakpoint_is_refused_by_its_path(document, path, said):
     with pytest.raises(ParameterError) as caught:
         gesture_from_dict(document)
     assert caught.value.path == path

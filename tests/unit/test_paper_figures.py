@@ -26,7 +26,7 @@ def test_they_are_of_this_model_and_these_definitions(paper):
     assert FIGURES.stat().st_size < MOST_BYTES
 
 
-def test_they_tell_the_verdicts_of_the_shipped_scoreboard(paper):
+def test_they_have_the_verdicts_of_the_shipped_scoreboard(paper):
     assert paper["claims"] == claims(shipped(SCOREBOARD)), "run `python -m vocalis.studies.paper.figures.ship --claims`"
     assert [claim["key"] for claim in paper["claims"]] == list(CLAIMS)
 

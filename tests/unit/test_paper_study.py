@@ -55,7 +55,7 @@ def test_pairs_are_made_of_the_best_choice_of_each_factor_that_matters():
     assert [choice.takes for choice in promising(rows)] == ["b", "d"]
 
 
-def test_changes_and_table_tell_better_from_worse():
+def test_changes_and_table_distinguish_better_from_worse():
     other = row("θ_0 0.2 rad", A1="pass", P2="fail", P3="fail")
     assert changes(other, DEFAULT_ROW) == [("A1", "deviation", "pass"), ("P2", "deviation", "fail")]
     line = study_markdown({"rows": [DEFAULT_ROW, other]}).splitlines()[-1]

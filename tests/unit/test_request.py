@@ -48,7 +48,7 @@ def test_an_empty_document_is_the_modal_case():
         *(resolve(preset.request) for preset in PRESETS),
     ],
 )
-def test_a_request_survives_the_way_to_json_and_back(request_):
+def test_a_request_survives_a_json_round_trip(request_):
     assert resolve(json.loads(json.dumps(document_of(request_)))) == request_
 
 
@@ -118,11 +118,11 @@ def test_an_integer_beyond_all_floats_is_out_of_range(key):
         ({"run": {"duration_s": 1.0, "pressure_rise_s": 2.0}}, "run.pressure_rise_s"),
     ],
 )
-def test_what_is_not_a_request_is_named(document, path):
+def test_an_invalid_field_is_named(document, path):
     assert refusal(document).path == path
 
 
-def test_what_is_no_object_is_refused():
+def test_values_that_are_not_objects_are_refused():
     for document in ([], "modal", 3, None):
         assert refusal(document).path == "request"
 
