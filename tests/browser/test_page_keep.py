@@ -1,4 +1,4 @@
-"""What the user takes out of the page: report, figures, tables, code."""
+"""Exports of the page: report, figures, tables, code."""
 
 import csv
 import io
@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE, ROOT
+from tests.browser.conftest import DESKTOP, PHONE, ROOT
 
 
 def keep(here):
@@ -18,7 +18,7 @@ def keep(here):
     return here.page.get_by_role("dialog")
 
 
-@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
 def test_figures_are_exported_as_vectors_and_as_pixels(visit, viewport):
     here = visit(viewport=viewport)
     here.page.locator("#tab-waves" if viewport == PHONE else "#panel-folds").click()
@@ -72,7 +72,7 @@ def test_the_printed_python_and_curl_give_the_same_voice(visit):
 
 
 def pages(here) -> int:
-    """Sheets of A4 that the page fills when it is printed now."""
+    """Number of A4 pages of the printed page."""
     return len(re.findall(rb"/Type /Page\b", here.page.pdf(format="A4")))
 
 
@@ -110,7 +110,7 @@ def test_measures_are_copied_as_a_table_with_range_source_and_reason(visit):
     quotient = next(row for row in rows if row[0] == "Speed quotient")
     assert quotient[2] == "" and quotient[4] == "1.3 – 2.8" and "Chen" in quotient[5] and quotient[7]
     shown = here.page.locator("tr[data-measure=speed_quotient] .expected").inner_text()
-    assert "1.3 – 2.8" in shown and "Chen" in shown, "range and source stand in the table too"
+    assert "1.3 – 2.8" in shown and "Chen" in shown, "range and source are in the table"
     keep(here).get_by_role("button", name="Report to print").click()
     assert "No phonation" in here.page.locator("article.report header").inner_text(), "why, once"
-    assert pages(here) == 1, "reasons do not push the report onto a second page"
+    assert pages(here) == 1, "reasons do not extend the report to a second page"

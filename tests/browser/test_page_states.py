@@ -1,4 +1,4 @@
-"""When something is not there: no vibration, a refused value, a server that is busy, silent or locked."""
+"""Exceptional states: no vibration, a refused value, a server that is busy, lost or locked."""
 
 import re
 

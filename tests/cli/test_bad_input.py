@@ -1,4 +1,4 @@
-"""Whatever cannot be used ends with exit code 2 and one line that names the field, the value and what is allowed."""
+"""Invalid input ends with exit code 2 and one line that names the field, the value and the allowed values."""
 
 import io
 
@@ -6,7 +6,7 @@ import pytest
 
 from vocalis.cli.main import main
 
-# arguments after the command, and what the line has to name
+# arguments after the command, and what the line has to contain
 REFUSED = [
     ("--ta 1.5", "activation.ta", "1.5", "0 to 1"),
     ("--ta -0.1", "activation.ta", "-0.1", "0 to 1"),
@@ -93,7 +93,7 @@ def test_a_file_that_is_not_text_is_refused(capsys, tmp_path):
 
 
 def test_an_unwritable_file_is_found_out_before_the_run(capsys, monkeypatch):
-    monkeypatch.setattr("vocalis.cli.simulate.simulate_watched", lambda request: pytest.fail("it was run"))
+    monkeypatch.setattr("vocalis.cli.simulate.simulate_watched", lambda request: pytest.fail("the run started"))
     assert "/no/such/folder" in refusal(capsys, "simulate", "--wav", "/no/such/folder/x.wav")
 
 

@@ -1,4 +1,4 @@
-"""`vocalis gesture` in a process of its own: breakpoints as options, contours and files that say the same, refusals."""
+"""`vocalis gesture` as a process: breakpoints as options, contours, consistent files, refusals."""
 
 import csv
 import json
@@ -44,8 +44,8 @@ def test_the_files_hold_the_printed_values(finished):
     document, folder = finished
     with open(folder / "glide.csv", newline="") as file:
         rows = list(csv.DictReader(file))
-    said = document["contours"]["fo_hz"]["values"]
-    assert [None if row["fo_hz"] == "" else float(row["fo_hz"]) for row in rows] == said
+    printed = document["contours"]["fo_hz"]["values"]
+    assert [None if row["fo_hz"] == "" else float(row["fo_hz"]) for row in rows] == printed
     with xarray.open_dataset(folder / "glide.netcdf") as kept:
         assert kept["contour_fo_hz"].attrs["units"] == "Hz"
         assert kept["glottal_area_m2"].size == 28_000
@@ -66,7 +66,7 @@ def test_the_printed_gesture_renders_to_the_same_sound(finished, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         (["--ct", "0:0.1,0:0.2"], "activation.ct.1.0"),
         (["--ct", "0:0.1,1:1.5"], "activation.ct.1.1"),
@@ -74,7 +74,7 @@ def test_the_printed_gesture_renders_to_the_same_sound(finished, tmp_path):
         (["--wav", "/nowhere/at/all.wav"], "--wav"),
     ],
 )
-def test_an_invalid_gesture_is_refused_in_one_line_that_names_the_field(arguments, said):
+def test_an_invalid_gesture_is_refused_in_one_line_that_names_the_field(arguments, message):
     done = vocalis("gesture", *arguments)
     assert done.returncode != 0 and done.stdout == ""
-    assert said in done.stderr and len(done.stderr.strip().splitlines()) == 1
+    assert message in done.stderr and len(done.stderr.strip().splitlines()) == 1

@@ -1,4 +1,4 @@
-"""Preset, request file, single options and --set make one request; the later one wins."""
+"""Preset, request file, single options and --set make one request; later ones override earlier ones."""
 
 import io
 import json

@@ -1,4 +1,4 @@
-"""`vocalis simulate` in a process of its own: the same numbers as Python, files that say the same, prompt help."""
+"""`vocalis simulate` as a process: the same numbers as in Python, consistent files, fast help."""
 
 import csv
 import json
@@ -49,7 +49,7 @@ def leaves(value, path=""):
 
 
 def test_json_is_the_answer_of_the_python_api(finished, result):
-    """To rounding: two processes that compile at the same time need not order their sums alike."""
+    """To rounding: two processes that compile at the same time may order sums differently."""
     printed = json.loads(finished[0].stdout, parse_constant=lambda name: pytest.fail(f"{name} is not JSON"))
     expected = json.loads(json.dumps(result_document(result)))
     for document in (printed, expected):
@@ -72,7 +72,7 @@ def test_only_the_files_are_reported_with_json(finished):
 
 
 def test_the_sound_has_the_reported_pitch(finished):
-    """By the autocorrelation of the written samples, not by the area that the product measures."""
+    """From the autocorrelation of the written samples, not from the area that vfcore measures."""
     with wave.open(str(finished[1] / "voice.wav")) as file:
         assert (file.getframerate(), file.getsampwidth(), file.getnchannels()) == (48000, 2, 1)
         samples = np.frombuffer(file.readframes(file.getnframes()), dtype="<i2").astype(float)
@@ -122,7 +122,7 @@ def test_a_terminal_shows_compilation_and_the_run():
     )
     os.close(terminal)
     seen = bytearray()
-    # A terminal that nobody reads stops the writer.
+    # A terminal must be read, or the writer blocks.
     watching = threading.Thread(target=read_all, args=(reader, seen), daemon=True)
     watching.start()
     table, _ = process.communicate(timeout=120)

@@ -1,4 +1,4 @@
-"""`vocalis sweep` from the outside: axes, files, resuming, refusals."""
+"""`vocalis sweep` as a process: axes, files, resuming, refusals."""
 
 import json
 import re
@@ -59,7 +59,7 @@ def test_a_document_and_a_selection(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         ((), "--axis: is missing"),
         (("--axis", "activation.ct"), "'activation.ct' is not an axis"),
@@ -75,10 +75,12 @@ def test_a_document_and_a_selection(tmp_path):
         (("--axis", "activation.ct=1", "--scheduler", "tcp://127.0.0.1:9"), "--scheduler: tcp://127.0.0.1:9"),
     ],
 )
-def test_bad_input_is_one_clear_line_and_exit_code_2(arguments, said):
+def test_bad_input_is_one_clear_line_and_exit_code_2(arguments, message):
     ended = vocalis("sweep", *arguments)
     assert ended.returncode == 2
-    assert said in ended.stderr and ended.stderr.startswith("vocalis: ") and ended.stderr.count("\n") == 1, ended.stderr
+    assert message in ended.stderr and ended.stderr.startswith("vocalis: ") and ended.stderr.count("\n") == 1, (
+        ended.stderr
+    )
 
 
 def test_a_killed_sweep_resumes(tmp_path):

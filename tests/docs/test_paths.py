@@ -1,4 +1,4 @@
-"""Every file that a Markdown page names exists, and every link inside the repository leads somewhere."""
+"""Every file that a Markdown page names exists, and every link inside the repository has a target."""
 
 import re
 from pathlib import Path

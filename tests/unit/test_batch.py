@@ -1,4 +1,4 @@
-"""Many simulations at once: the same numbers as one at a time, and one failure leaves the others alone."""
+"""Many simulations at once: the same numbers as one at a time, and a failure does not affect the others."""
 
 import dataclasses
 

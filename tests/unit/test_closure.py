@@ -1,4 +1,4 @@
-"""Closure patterns on drawn gaps, and on postures whose pattern the clinic knows."""
+"""Closure patterns of synthetic gaps, and of postures with a clinically known pattern."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Errors travel between processes: every one arrives as the same class, with its sentence and its attributes."""
+"""Errors are pickled between processes: class, message and attributes survive."""
 
 import copy
 import importlib

@@ -1,4 +1,4 @@
-"""The CSV of a run: every measure once, exact numbers, reasons for the missing."""
+"""The CSV of a run: every measure once, exact numbers, reasons for missing values."""
 
 import csv
 import io

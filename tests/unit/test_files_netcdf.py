@@ -1,4 +1,4 @@
-"""A netCDF file holds the whole result with units, for any netCDF reader, and appears whole or not at all."""
+"""A netCDF file holds the whole result with units, for any netCDF reader, and is written atomically."""
 
 import io
 import json

@@ -1,4 +1,6 @@
-"""The catalogue: every measure there, described, given a value or a reason; and the call fast enough to be live."""
+"""The catalogue: every measure is present, described, and has a value or a reason; the call is fast enough for live
+use.
+"""
 
 import json
 import math

@@ -187,7 +187,9 @@ def test_the_vertex_of_a_nearly_straight_rise_is_kept_at_half_a_sample():
 
 
 def test_several_waves_at_once_repeat_like_each_alone():
-    """In double precision bit for bit; in single r to a few times its rounding, and the period far beyond a sample."""
+    """Bit for bit in double precision; in single precision r to a few roundings, the period to much less than a
+    sample.
+    """
     waves = np.stack([pulses(fo_hz)[:9001] for fo_hz in (97.3, 149.6, 371.0, 499.7)])
     single = autocorrelations(waves.astype(np.float32))
     for wave, double, coarse in zip(waves, autocorrelations(waves), single, strict=True):

@@ -1,11 +1,11 @@
-"""Memory of one batch serves the next."""
+"""The memory of a batch is reused by the next."""
 
 import subprocess
 import sys
 
 import pytest
 
-# In a process of its own: what another test has freed or kept would count otherwise.
+# In a separate process, because memory of other tests would count as well.
 _SCRIPT = """
 import resource
 from vfcore.runs.many import run_points

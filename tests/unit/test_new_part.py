@@ -1,4 +1,4 @@
-"""A new optional part of a request costs one declaration: everything else follows it."""
+"""A new optional part of a request needs only one declaration."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""The norms: how a number is judged, how flow is measured, what the command and docs/human.md say."""
+"""The norms: judging of a number, measuring of flow, the command, and docs/human.md."""
 
 import json
 from dataclasses import asdict
@@ -89,7 +89,7 @@ def test_a_variant_and_overrides_survive_the_round_trip_of_a_request():
 
 
 def test_the_human_voice_meets_the_norms_it_is_shipped_with():
-    """At least 12 of 15, and the shipped numbers, on this machine."""
+    """At least 12 of 15 norms, and the shipped numbers, on this machine."""
     found = score_variant("human", None, InlinePool())
     kept = DOCUMENTS["norms"]["columns"]["human, two_way"]
     assert found["in_range"] >= 12
@@ -162,7 +162,7 @@ def test_the_numbers_that_guide_the_search_are_parts_of_their_claims():
 
 
 class Bowl(NamedTuple):
-    """A trial of a function whose minimum is known."""
+    """A trial of a function with a known minimum."""
 
     total: float
 
@@ -204,7 +204,7 @@ def test_the_variant_and_the_posture_of_the_norms_are_what_the_study_adopts():
 
 
 def test_human_keeps_the_shapes_and_maps_that_its_coupling_leaves_the_paper():
-    """Shapes, closure patterns and maps: none worse than with the paper's own constants under two-way coupling."""
+    """No claim on shapes, closure patterns and maps is worse than with the paper's constants and two-way coupling."""
     human, paper = (DOCUMENTS["claims"]["columns"][f"{name}, two_way"]["outcomes"] for name in ("human", "paper"))
     rank = {"pass": 0, "deviation": 1, "fail": 2}
     lost = [key for key in HELD if rank[human[key]["verdict"]] > rank[paper[key]["verdict"]]]

@@ -1,4 +1,4 @@
-"""The figures that the page ships: of this model, of these definitions, complete, and equal to what the model says."""
+"""The figures that the page ships: current, complete, and equal to the results of the model."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Pictures draw what is there, and name what is not."""
+"""Pictures draw the values that exist and label those that are missing."""
 
 import xml.etree.ElementTree as ET
 

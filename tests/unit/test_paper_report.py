@@ -1,4 +1,4 @@
-"""The report holds every claim, its verdicts and pictures, and asks nothing of the network."""
+"""The report holds every claim, its verdicts and pictures, and loads nothing from the network."""
 
 import json
 import re

@@ -45,7 +45,7 @@ def test_the_other_runs_of_a_map_continue():
 
 
 def test_runs_in_this_process_give_the_same_evidence():
-    """To 1e-5: side by side, runs round otherwise than one by one, and those of 0.3 s are hardly settled."""
+    """To 1e-5: batches round differently from single runs, and runs of 0.3 s have hardly settled."""
     cases = small("ct_ta_map", (0.3, 0.6), (0.2, 0.4)) | small("pca_sweep", (0.0, 0.5))
     cases |= {"modal": replace(CASES["modal"], base=SHORT)} | small("static_ct", (0.0, 0.5))
     here, there = gather_here(cases), gather(cases, InlinePool()).evidence

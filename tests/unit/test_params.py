@@ -1,4 +1,4 @@
-"""What a user may ask for: defaults are the paper's modal case, ranges are enforced, refusals are sentences."""
+"""Values of a request: defaults are the paper's modal case, ranges are enforced, refusals are sentences."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""Published sets, overrides by name, and the arrays the kernel gets."""
+"""Published sets, overrides by name, and the arrays of the kernel."""
 
 from dataclasses import fields
 

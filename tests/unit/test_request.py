@@ -1,4 +1,4 @@
-"""A request document says exactly what a Simulation says, and nothing unusable passes."""
+"""A request document and a Simulation are equivalent, and invalid documents are refused."""
 
 import json
 import math
@@ -91,7 +91,7 @@ def test_every_choice_takes_its_options_and_no_other(row):
 @pytest.mark.parametrize("key", ["run.nx", "run.ny"])
 def test_a_grid_is_a_whole_number(key):
     assert refusal(nested(key, 12.5)).path == key
-    request = resolve(nested(key, 12.0))  # JSON does not tell 12.0 from 12
+    request = resolve(nested(key, 12.0))  # JSON does not distinguish 12.0 from 12
     count = getattr(request.run, key.removeprefix("run."))
     assert count == 12 and isinstance(count, int)
 

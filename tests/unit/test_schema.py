@@ -1,4 +1,4 @@
-"""The parameter schema offers what the model takes: every field, with values that work."""
+"""The parameter schema has every field of a request, with valid values."""
 
 import dataclasses
 

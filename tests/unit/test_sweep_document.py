@@ -1,4 +1,4 @@
-"""A sweep document: what it takes, what it refuses and where, and how it unfolds into runs."""
+"""A sweep document: valid and refused values, and its expansion into runs."""
 
 import pytest
 from hypothesis import given
@@ -66,8 +66,8 @@ def test_axes_unfold_in_c_order_and_tied_parameters_vary_jointly():
 def test_equal_sweeps_are_equal_documents():
     one = sweep_from_dict({"axes": [CT], "measures": ["spl_lips_db", "fo_hz"]})
     axes = [CT | {"values": [0.0, 0.5, 1.0]}]
-    said = {"kind": "sweep", "base": {"vowel": "a"}, "axes": axes, "measures": ["fo_hz", "spl_lips_db"]}
-    other = sweep_from_dict(said)
+    document = {"kind": "sweep", "base": {"vowel": "a"}, "axes": axes, "measures": ["fo_hz", "spl_lips_db"]}
+    other = sweep_from_dict(document)
     assert sweep_to_dict(one) == sweep_to_dict(other)
     assert sweep_from_dict(sweep_to_dict(one)) == one
 

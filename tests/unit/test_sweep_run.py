@@ -127,17 +127,19 @@ def test_a_row_reads_back_and_damage_is_noticed(table):
     again = decode(encode(row))
     assert again.state == row.state and again.reasons == row.reasons and again.problem is None
     np.testing.assert_array_equal(again.values, row.values)
-    octets = bytearray(encode(row))
-    octets[len(octets) // 2] ^= 255
+    data = bytearray(encode(row))
+    data[len(data) // 2] ^= 255
     with pytest.raises(Exception, match="."):
-        decode(bytes(octets))
+        decode(bytes(data))
 
 
 def test_a_journal_is_resumed_and_nothing_is_computed_twice(tmp_path):
     sweep = sweep_from_dict({"base": SHORT, "points": [{"activation.ct": k / 120} for k in range(120)]})
-    journal, said = Journal(tmp_path / "journal", sweep), []
+    journal, counts = Journal(tmp_path / "journal", sweep), []
     with pytest.raises(Cancelled):
-        run_sweep(sweep, 1, journal=journal, progress=lambda done, *_: said.append(done), stop=lambda: len(said) > 1)
+        run_sweep(
+            sweep, 1, journal=journal, progress=lambda done, *_: counts.append(done), stop=lambda: len(counts) > 1
+        )
     kept = dict(journal.rows())
     assert 0 < len(kept) < 120
     journal.close()

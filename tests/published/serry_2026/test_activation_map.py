@@ -1,4 +1,4 @@
-"""CT × TA at LCA = IA = .6, PCA 0, 1000 Pa, on a coarse net: what two earlier implementations found, and the trends.
+"""CT × TA at LCA = IA = .6, PCA 0, 1000 Pa, on a coarse grid: results of two earlier implementations, and the trends.
 
 f_o 110–208 Hz, 126–208 Hz for CT ≥ .2 (143–221 Hz for CT ≥ .2, TA ≤ .4 with a posturing length of 15 mm); up with CT
 with falling slope, down with TA for CT ≥ .2; mean flow falls with TA and by about a fifth over CT; nothing is silent.

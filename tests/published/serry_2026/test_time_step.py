@@ -1,4 +1,4 @@
-"""What the product's long step costs in accuracy, against the paper's step of 1.786 µs.
+"""Accuracy of the long default step, compared with the paper's step of 1.786 µs.
 
 Claims, from 278 random postures with a periodic voice (median / 90th percentile): f_o .0006/.0017 %, CQ 0/.0002, mean
 flow .018/.046 %, largest contact pressure .06/.09 %. SQ is ill-conditioned in places and has no tight tolerance.
