@@ -1,4 +1,4 @@
-"""A real server process and a real Chromium; what every visit must hold is checked when it ends."""
+"""Fixtures: a server process and Chromium. At the end of every visit, the console and foreign requests are checked."""
 
 import os
 import re
@@ -29,10 +29,10 @@ ARGUMENTS = [
     "--disable-sync",
     "--autoplay-policy=no-user-gesture-required",
 ]
-#: A picture that moves all the time takes half a core; whoever looks at the motion says so.
+#: Continuous motion takes half a core, so only tests of the motion enable it.
 STILL = {"reduced_motion": "reduce"}
 MOVING = {"reduced_motion": "no-preference"}
-DESK = {"width": 1440, "height": 900}
+DESKTOP = {"width": 1440, "height": 900}
 PHONE = {"width": 390, "height": 844}
 
 
@@ -44,7 +44,7 @@ def pytest_collection_modifyitems(items):
 
 @contextmanager
 def server_process(**environment: str) -> Iterator[str]:
-    """The address of a server of its own process, ready to compute."""
+    """The address of a server process that is ready to compute."""
     process = subprocess.Popen(
         [sys.executable, "-m", "vocalis.server", "--port", "0"],
         cwd=ROOT,
@@ -87,10 +87,14 @@ def chromium(launch):
 
 @pytest.fixture
 def visit(chromium, server) -> Iterator[Callable[..., Visit]]:
-    """``visit(query, viewport=…, …)`` opens the page; at the end no visit may have complained or left the origin."""
+    """``visit(query, viewport=…, …)`` opens the page; at the end, the console must be empty and no other origin may
+    have been requested.
+    """
     visits = []
 
-    def open_page(query: str = "", viewport=DESK, address: str = server, init: str = "", wait: bool = True, **context):
+    def open_page(
+        query: str = "", viewport=DESKTOP, address: str = server, init: str = "", wait: bool = True, **context
+    ):
         made = Visit(chromium.new_context(**STILL | {"viewport": viewport} | context), address, init)
         visits.append(made)
         made.open(query)
@@ -103,7 +107,7 @@ def visit(chromium, server) -> Iterator[Callable[..., Visit]]:
         made.context.close()
     for made in visits:
         assert made.complaints == [], "the console must stay empty"
-        assert made.strangers == [], "nothing may be asked of another origin"
+        assert made.strangers == [], "no other origin may be requested"
 
 
 @pytest.fixture(scope="session")

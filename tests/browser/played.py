@@ -1,6 +1,6 @@
-"""A voice that is played, and what left for the loudspeaker meanwhile.
+"""A played voice, and a recording of its output.
 
-A worklet next to the loudspeaker records every sample (TAPE); the page's own files are unchanged.
+A worklet in parallel with the loudspeaker records every sample (TAPE); the files of the page are unchanged.
 """
 
 import base64
@@ -11,7 +11,7 @@ import numpy as np
 
 RATE = 48000
 QUANTUM = 128
-#: Connects a tape wherever the loudspeaker is connected.
+#: Connects a recorder wherever the loudspeaker is connected.
 TAPE = """
 const WORKLET = `registerProcessor("tape", class extends AudioWorkletProcessor {
   process([[channel]]) {
@@ -49,7 +49,7 @@ BUFFER = "async () => (await import('/state/played-voice.js')).buffer.value"
 
 
 class Watch:
-    """Notices when the machine does not let a thread run in time: no sound can be without gaps then."""
+    """Measures how long threads have to wait on this machine, which makes gaps unavoidable."""
 
     def __enter__(self):
         self.longest_s, self._on = 0.0, True
@@ -67,11 +67,11 @@ class Watch:
 
 
 class Played:
-    """A visit on which the voice is played, and its tape."""
+    """A visit on which the voice is played, and its recording."""
 
     def __init__(self, here):
         self.here, self.page = here, here.page
-        self.missing = 0  # quanta that the last reading of the tape lacks: a browser in distress leaves some out
+        self.missing = 0  # blocks missing from the last recording: an overloaded browser drops some
 
     def start(self) -> "Played":
         self.page.get_by_role("tab", name="Play", exact=True).click()
@@ -79,23 +79,23 @@ class Played:
         return self.sounding()
 
     def sounding(self) -> "Played":
-        self.page.locator(".play-now", has_text="Hz").wait_for(timeout=60_000)  # the first voice compiles
+        self.page.locator(".play-now", has_text="Hz").wait_for(timeout=60_000)  # the first voice compiles kernels
         self.page.wait_for_timeout(1000)
         return self
 
     def at(self) -> int:
-        """How many samples the tape has now."""
+        """The number of samples recorded so far."""
         return QUANTUM * self.page.evaluate("window.tapes.at(-1).frames.length")
 
     def hold(self, seconds: float) -> slice:
-        """Let it sound; the part of the tape that was taken meanwhile, after what is still on its way."""
+        """Play for a while; returns the recording of that time, after sound that is still buffered."""
         self.page.wait_for_timeout(300)
         first = self.at()
         self.page.wait_for_timeout(1000 * seconds)
         return slice(first, self.at())
 
     def drag(self, path: str, share: float) -> None:
-        """Take a slider's knob where it is and move it to a share of the track, as a hand does."""
+        """Drag a slider's knob from its place to a share of the track, like a user."""
         box = self.here.slider(path).bounding_box()
         y = box["y"] + box["height"] / 2
         now = float(self.here.slider(path).input_value())
@@ -106,8 +106,8 @@ class Played:
             self.page.wait_for_timeout(20)
         self.page.mouse.up()
 
-    def sway(self, path: str, seconds: float, pace_ms: int = 50) -> None:
-        """Drag to and fro without a pause."""
+    def drag_back_and_forth(self, path: str, seconds: float, pace_ms: int = 50) -> None:
+        """Drag back and forth without a pause."""
         box = self.here.slider(path).bounding_box()
         y = box["y"] + box["height"] / 2
         self.page.mouse.move(box["x"] + 0.5 * box["width"], y)
@@ -120,7 +120,7 @@ class Played:
         self.page.mouse.up()
 
     def pad(self, ct: float, ta: float) -> None:
-        """Press the pad about where these activations are."""
+        """Press the pad near these activations."""
         box = self.page.locator(".play-pad canvas").bounding_box()
         self.page.mouse.click(box["x"] + (0.12 + 0.85 * ct) * box["width"], box["y"] + (0.9 - 0.8 * ta) * box["height"])
 

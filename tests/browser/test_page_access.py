@@ -1,16 +1,16 @@
-"""Everybody can use it: axe finds nothing serious, a phone needs no sideways scrolling."""
+"""Accessibility: axe finds nothing serious, a phone needs no horizontal scrolling."""
 
 from pathlib import Path
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE
+from tests.browser.conftest import DESKTOP, PHONE
 
 AXE = (Path(__file__).parent / "vendor" / "axe.min.js").read_text(encoding="utf-8")
 
 
 def findings(here, colours_only: bool = False) -> list[str]:
-    """Serious and critical findings of axe on what is shown; of contrast only, where the rest was looked at before."""
+    """Serious and critical findings of axe on the page; only contrast, where the rest was checked before."""
     if not here.page.evaluate("'axe' in window"):
         here.page.evaluate(AXE)
     options = {"resultTypes": ["violations"]}
@@ -26,9 +26,9 @@ def findings(here, colours_only: bool = False) -> list[str]:
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing_on_a_desk(visit, scheme):
+def test_axe_finds_nothing_on_a_desktop(visit, scheme):
     here = visit("?activation.ct=0.5", color_scheme=scheme)
-    colours = scheme == "dark"  # all else was found out in the light
+    colours = scheme == "dark"  # all else was checked in the light theme
     here.page.get_by_text("Advanced").click()
     assert findings(here, colours) == []
     here.page.keyboard.press("a")
@@ -80,8 +80,8 @@ def test_axe_finds_nothing_when_values_are_refused_or_nothing_vibrates(visit):
     assert findings(here) == []
 
 
-def test_one_screen_holds_the_desk_without_scrolling(visit):
-    here = visit(viewport=DESK)
+def test_the_desktop_layout_fits_one_screen_without_scrolling(visit):
+    here = visit(viewport=DESKTOP)
     sizes = here.page.evaluate(
         "[document.scrollingElement, ...document.querySelectorAll('.left, .panel, .strip, .centre')]"
         ".map((e) => [e.className || e.tagName, e.scrollHeight - e.clientHeight, e.scrollWidth - e.clientWidth])"
@@ -89,14 +89,14 @@ def test_one_screen_holds_the_desk_without_scrolling(visit):
     assert [size for size in sizes if size[1] > 1 or size[2] > 1] == []
 
 
-#: Whether what to look for lies wholly inside the bar.
+#: Whether the sentence of the preset is fully inside the bar.
 INSIDE = """() => {
   const [bar, line] = [".top", ".look-for"].map((name) => document.querySelector(name).getBoundingClientRect());
   return line.height > 0 && line.top >= bar.top && line.bottom <= bar.bottom;
 }"""
 
 
-def test_the_sentence_of_every_preset_is_whole_on_every_desk(visit):
+def test_the_sentence_of_every_preset_is_fully_visible_on_every_desktop(visit):
     here = visit()
     presets = here.page.locator(".preset option").evaluate_all("all => all.map((option) => option.value)")
     assert len(presets) == 8
@@ -108,17 +108,17 @@ def test_the_sentence_of_every_preset_is_whole_on_every_desk(visit):
     here.settle()
 
 
-def test_the_stage_stays_on_top_of_a_phone(visit):
+def test_the_picture_of_the_folds_stays_on_top_on_a_phone(visit):
     here = visit(viewport=PHONE, has_touch=True)
     here.page.mouse.wheel(0, 600)
     here.page.wait_for_timeout(200)
     assert here.page.evaluate("scrollY") > 200
     box = here.page.locator("canvas[data-picture=stage]").bounding_box()
     tabs = here.page.get_by_role("tablist").bounding_box()
-    assert box["y"] >= 0 and tabs["y"] < 844 / 2 + 60, "stage and tabs are still there"
+    assert box["y"] >= 0 and tabs["y"] < 844 / 2 + 60, "folds and tabs are still visible"
 
 
-def test_what_became_of_the_voice_is_announced_once_the_hand_rests(visit):
+def test_the_state_is_announced_once_the_controls_rest(visit):
     here = visit()
     live = here.page.locator("[aria-live=polite]")
     live.filter(has_text="Periodic phonation, 150 hertz, 101 decibels").wait_for(state="attached")

@@ -1,4 +1,4 @@
-"""What the user takes out of the page: report, figures, tables, code."""
+"""Exports of the page: report, figures, tables, code."""
 
 import csv
 import io
@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE, ROOT
+from tests.browser.conftest import DESKTOP, PHONE, ROOT
 
 
 def keep(here):
@@ -18,8 +18,8 @@ def keep(here):
     return here.page.get_by_role("dialog")
 
 
-@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
-def test_figures_are_kept_as_vectors_and_as_pixels(visit, viewport):
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
+def test_figures_are_exported_as_vectors_and_as_pixels(visit, viewport):
     here = visit(viewport=viewport)
     here.page.locator("#tab-waves" if viewport == PHONE else "#panel-folds").click()
     here.settle()
@@ -39,7 +39,7 @@ def test_figures_are_kept_as_vectors_and_as_pixels(visit, viewport):
     assert head[1:4] == b"PNG" and int.from_bytes(head[16:20], "big") == pytest.approx(3 * wide, abs=3)
 
 
-def test_data_are_kept_as_csv_netcdf_and_sound(visit):
+def test_data_are_exported_as_csv_netcdf_and_sound(visit):
     here = visit()
     dialog = keep(here)
     with here.page.expect_download() as waiting:
@@ -57,7 +57,7 @@ def done(command: list[str]) -> str:
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=120, check=True).stdout
 
 
-def test_python_and_curl_run_as_printed_and_find_the_same_voice(visit):
+def test_the_printed_python_and_curl_give_the_same_voice(visit):
     here = visit("?activation.ct=0.7&vowel=i&model.variant=human&constants.C_coup_pa_s_m=10")
     shown = here.api(f"jobs/{here.result_id()}/result")
     dialog = keep(here)
@@ -72,12 +72,12 @@ def test_python_and_curl_run_as_printed_and_find_the_same_voice(visit):
 
 
 def pages(here) -> int:
-    """Sheets of A4 that the page fills when it is printed now."""
+    """Number of A4 pages of the printed page."""
     return len(re.findall(rb"/Type /Page\b", here.page.pdf(format="A4")))
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_the_report_is_one_page_on_white_with_what_was_seen(visit, scheme):
+def test_the_report_is_one_white_page_with_the_displayed_values(visit, scheme):
     here = visit("?activation.pca=0.5", color_scheme=scheme)
     here.page.keyboard.press("a")
     here.set("activation.lca", 1)
@@ -110,7 +110,7 @@ def test_measures_are_copied_as_a_table_with_range_source_and_reason(visit):
     quotient = next(row for row in rows if row[0] == "Speed quotient")
     assert quotient[2] == "" and quotient[4] == "1.3 – 2.8" and "Chen" in quotient[5] and quotient[7]
     shown = here.page.locator("tr[data-measure=speed_quotient] .expected").inner_text()
-    assert "1.3 – 2.8" in shown and "Chen" in shown, "range and source stand in the table too"
+    assert "1.3 – 2.8" in shown and "Chen" in shown, "range and source are in the table"
     keep(here).get_by_role("button", name="Report to print").click()
     assert "No phonation" in here.page.locator("article.report header").inner_text(), "why, once"
-    assert pages(here) == 1, "reasons do not push the report onto a second page"
+    assert pages(here) == 1, "reasons do not extend the report to a second page"

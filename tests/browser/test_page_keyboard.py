@@ -66,7 +66,7 @@ def test_space_sounds_m_moves_and_brackets_step_through_the_cycle(visit):
     assert here.page.locator(".percent").inner_text().strip() == "52 %"
 
 
-def test_tab_reaches_everything_in_the_order_it_is_read(visit):
+def test_tab_reaches_everything_in_reading_order(visit):
     here = visit()
     seen = []
     for _ in range(60):
@@ -86,7 +86,7 @@ def test_tab_reaches_everything_in_the_order_it_is_read(visit):
     assert [seen.index(name) for name in wanted] == sorted(seen.index(name) for name in wanted)
 
 
-def test_tabs_are_walked_by_arrows(visit):
+def test_arrows_move_between_tabs(visit):
     here = visit()
     here.page.get_by_role("tab", name="Waves").focus()
     here.page.keyboard.press("ArrowRight")

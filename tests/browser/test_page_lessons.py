@@ -1,4 +1,4 @@
-"""All eight lessons, walked step by step: the hand is where the step says, what it speaks of is shown and true."""
+"""All eight lessons, step by step: the controls are set, and what the text describes is shown and true."""
 
 import json
 import re
@@ -6,14 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE
+from tests.browser.conftest import DESKTOP, PHONE
 
 LESSONS = Path(__file__).parents[2] / "frontend" / "features" / "lessons"
 INDEX = json.loads((LESSONS / "index.json").read_text(encoding="utf-8"))
 STATES = {"periodic": "Periodic phonation", "none": "No sustained vibration"}
-#: On a phone the tab a panel stands under.
+#: The tab of a panel on a phone.
 TAB = {"measures": "numbers", "waves": "waves", "voice": "waves", "folds": "waves"}
-#: Walks a lesson of `steps` steps by its own button: what each shows; if `answered`, once its voice has answered.
+#: Steps through a lesson of `steps` steps with its button and returns what each shows; with `answered`, after its
+#: result.
 WALK = """async ([key, steps, answered]) => {
   const { patch } = await import("/state/request.js");
   const all = (selector) => [...document.querySelectorAll(selector)];
@@ -46,9 +47,9 @@ def number(text: str) -> float:
     return float(re.match(r"[\d.−\u202f]+", text)[0].replace("\u202f", "").replace("−", "-"))
 
 
-@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
-def test_the_eight_lessons_show_what_they_speak_of(visit, viewport):
-    """What the voices do is the same at both sizes and is waited for on the desk."""
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
+def test_the_eight_lessons_show_what_they_describe(visit, viewport):
+    """The results are the same at both sizes, so only the desktop waits for them."""
     here = visit(viewport=viewport)
     here.page.locator("#tab-more" if viewport is PHONE else "#panel-lessons").click()
     defaults = {row["key"]: row["default"] for row in here.api("parameters")["parameters"]}
@@ -56,19 +57,19 @@ def test_the_eight_lessons_show_what_they_speak_of(visit, viewport):
     for entry in INDEX:
         lesson = json.loads((LESSONS / f"{entry['key']}.json").read_text(encoding="utf-8"))
         here.page.locator(".lesson-row", has_text=lesson["title"]).click()
-        walked = here.page.evaluate(WALK, [lesson["key"], len(lesson["steps"]), viewport is DESK])
+        walked = here.page.evaluate(WALK, [lesson["key"], len(lesson["steps"]), viewport is DESKTOP])
         assert [seen["button"] for seen in walked] == ["Next"] * (len(walked) - 1) + ["Finish"]
         for k, (step, seen) in enumerate(zip(lesson["steps"], walked, strict=True)):
             where = f"{lesson['key']}, step {k}"
             assert seen["set"] == {path: v for path, v in step["set"].items() if v != defaults[path]}, where
             assert step["say"] in seen["words"] and step["see"] in seen["words"], where
-            assert not seen["cut"] and seen["inView"], f"{where}: all of it can be read"
+            assert not seen["cut"] and seen["inView"], f"{where}: all text is visible"
             panel = step["look"]["panel"]
             wanted = f"tab-{TAB[panel]}" if viewport is PHONE else f"panel-{panel}"
             assert wanted in seen["chosen"], where
             if viewport is PHONE and TAB[panel] == "waves":
                 assert f"panel-{panel}" in seen["chosen"], where
-            for claim in step["expect"] if viewport is DESK else ():
+            for claim in step["expect"] if viewport is DESKTOP else ():
                 if "state" in claim:
                     assert seen["state"] == STATES[claim["state"]], where
                 if "measure" in claim:

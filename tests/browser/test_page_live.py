@@ -1,4 +1,4 @@
-"""The page follows the user: every picture, every number, at once."""
+"""The page follows the controls: every picture and every number, at once."""
 
 import re
 
@@ -26,11 +26,11 @@ def test_one_movement_changes_posture_pictures_numbers_and_address(visit):
     assert [name for name in PICTURES if here.picture(name) == before[name]] == []
     assert float(headline(here, "fo_hz")) > float(pitch) + 10, "CT is the pitch muscle"
     assert here.page.locator(".posture-line").inner_text() != strain
-    assert "Δ +" in here.page.locator(".posture-line").inner_text(), "what the movement did to the strain is said"
+    assert "Δ +" in here.page.locator(".posture-line").inner_text(), "the change of strain is shown"
     here.page.wait_for_url(re.compile(r"activation\.ct=0\.6"))
 
 
-def test_the_shapes_beside_the_hand_are_there_before_it_moves(visit):
+def test_neighbouring_shapes_are_prefetched_before_a_control_moves(visit):
     here = visit()
     asked = []
     here.page.on("request", lambda request: asked.append(request.url.rpartition("/")[2]))
@@ -46,10 +46,10 @@ def test_the_shapes_beside_the_hand_are_there_before_it_moves(visit):
         assert here.page.locator(".posture-line dd").first.inner_text() == strain
     assert "postures" in asked and "posture" not in asked
     here.set("activation.ta", 1)
-    assert "posture" in asked, "beyond the prefetched values the page asks"
+    assert "posture" in asked, "beyond the prefetched values the page sends a request"
 
 
-def test_the_address_is_the_voice(visit):
+def test_the_address_holds_the_voice(visit):
     here = visit("?activation.ta=0.1&activation.ct=1&vowel=i")
     assert here.typed("Thyroarytenoid (TA)").input_value() == "0.10"
     assert here.page.locator("input[name=vowel]:checked").get_attribute("value") == "i"
@@ -58,7 +58,7 @@ def test_the_address_is_the_voice(visit):
     assert request["vowel"] == "i"
 
 
-def test_a_name_that_is_no_parameter_is_told(visit):
+def test_an_unknown_parameter_in_a_link_is_reported(visit):
     here = visit("?activation.tongue=1")
     assert "activation.tongue" in here.page.locator(".notice").inner_text()
 
@@ -84,7 +84,7 @@ def test_double_click_goes_back_to_the_default_and_tied_muscles_move_together(vi
     assert here.typed("Interarytenoid (IA)").input_value() == "0.50"
 
 
-def test_pointing_at_a_wave_moves_stage_and_maps_to_that_moment(visit):
+def test_pointing_at_a_wave_moves_folds_and_maps_to_that_moment(visit):
     here = visit()
     here.hold_still(100)
     before = {name: here.picture(name) for name in ("stage", "map-aero")}
@@ -95,7 +95,7 @@ def test_pointing_at_a_wave_moves_stage_and_maps_to_that_moment(visit):
     assert here.page.locator(".percent").inner_text().strip() != "10 %"
 
 
-def test_the_motion_moves_and_stops(visit):
+def test_the_motion_starts_and_stops(visit):
     here = visit(**MOVING)
     first = here.picture("stage")
     here.page.wait_for_timeout(400)
@@ -114,8 +114,8 @@ def test_reduced_motion_is_honoured(visit):
     assert here.picture("stage") == first
 
 
-#: Where the hand goes: (control, from, to) in shares of its track. No two movements ask for the same voice, so that
-#: none is answered from what the server keeps.
+#: Movements: (control, from, to) in shares of its track. No two request the same voice, so that none is answered from
+#: the cache of the server.
 SWEEPS = [
     ("activation.ct", 0.30, 0.78),
     ("activation.ta", 0.40, 0.88),
@@ -124,16 +124,16 @@ SWEEPS = [
     ("subglottal_pressure_pa", 0.30, 0.78),
 ]
 MOVES = 40
-#: ms between movements: a hand that moves and looks, and one that drags faster than voices can be drawn one by one.
+#: ms between movements: a user who moves and looks, and one who drags faster than voices can be drawn one by one.
 PACES = {"movement by movement": 80, "in one drag": 20}
-PILED_UP_MS = 3000  # 200 voices in line would take longer; a machine busy with other work does not
+PILED_UP_MS = 3000  # a queue of 200 voices would take longer; a busy machine does not
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("pace", PACES)
 def test_how_long_a_movement_takes(visit, capsys, pace):
-    """Prints what the page measures of itself; the bounds only say that nothing piles up on a busy machine."""
-    shift = 0.5 * list(PACES).index(pace)  # of a movement: nor from the other pace's voices
+    """Prints the latencies that the page measures; the bounds only ensure that nothing queues up on a busy machine."""
+    shift = 0.5 * list(PACES).index(pace)  # of a movement; the other pace has other voices
     here = visit()
     here.page.evaluate("performance.clearMeasures()")
     for path, first, last in SWEEPS:

@@ -1,28 +1,28 @@
-"""The map over two parameters: it fills, is read and compared, opens its voices, and can be stopped."""
+"""The map over two parameters: it fills, can be read and compared, opens its voices, and can be stopped."""
 
 import re
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE
+from tests.browser.conftest import DESKTOP, PHONE
 from tests.browser.test_page_access import findings
 
 SHOWN = "document.querySelector('[data-plot=map]').data[0].z.flat()"
-#: Where a point of the map is on the page.
+#: The place of a point of the map on the page.
 PLACE_OF = """([right, up]) => {
   const plot = document.querySelector("[data-plot=map]");
   const { xaxis, yaxis } = plot._fullLayout;
   const box = plot.getBoundingClientRect();
   return [box.x + xaxis._offset + xaxis.l2p(right), box.y + yaxis._offset + yaxis.l2p(up)];
 }"""
-#: The pitches behind the pad, once half of the map has come.
+#: The pitches behind the pad, once half of the map has arrived.
 PAD_PITCHES = """async () => {
   const { padMap } = await import("/features/play/pad-map.js");
   const many = () => padMap.value?.fo.filter((pitch) => pitch !== null).length > 60;
   while (!many()) await new Promise((resolve) => setTimeout(resolve, 50));
   return padMap.value.fo;
 }"""
-SIZES = pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
+SIZES = pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
 
 
 def open_map(visit, steps: int = 3, query: str = "", **context):
@@ -79,7 +79,7 @@ def test_a_cell_opens_its_voice(visit, viewport):
     here.page.wait_for_url(lambda address: "activation.ct=1" in address and "activation.ta=0" in address)
 
 
-def test_the_map_follows_is_compared_and_kept_as_a_table(visit):
+def test_a_map_follows_the_controls_is_compared_and_exported(visit):
     here = open_map(visit)
     make(here)
     before = here.page.evaluate(SHOWN)
@@ -124,7 +124,7 @@ def test_a_long_map_can_be_stopped(visit):
     assert newest["status"] == "dismissed"
 
 
-def test_what_cannot_be_mapped_is_said(visit):
+def test_an_invalid_map_is_refused_with_the_reason(visit):
     here = open_map(visit)
     here.page.get_by_role("combobox", name="Up: parameter").select_option("activation.ta")
     here.page.get_by_role("button", name="Make the map").click()

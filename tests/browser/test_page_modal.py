@@ -1,10 +1,10 @@
-"""The modal voice: every picture has something in it, every number is the server's."""
+"""The modal voice: no picture is empty, and every number is that of the server."""
 
 import re
 
 import numpy as np
 
-#: What the stage would draw at some stored phases, and the area of the wave at that sample and the ones beside it.
+#: The outline drawn at some stored phases, and the area of the waveform at that sample and its neighbours.
 OUTLINES = """async () => {
   const { result } = await import("/state/answers.js");
   const { foldEdges } = await import("/core/glottis.js");
@@ -32,7 +32,7 @@ def test_every_picture_has_data(visit):
     assert len(marks) == 2 and all(len(text.split()) >= 3 for text in marks), "both colour bars have numbers"
 
 
-def test_the_opening_on_the_stage_has_the_area_of_the_wave(visit):
+def test_the_drawn_opening_has_the_area_of_the_waveform(visit):
     here = visit()
     outlines = here.page.evaluate(OUTLINES)
     for edges, around_m2 in outlines:
@@ -85,7 +85,7 @@ def test_a_number_opens_its_definition_and_source(visit):
 
 def test_the_whole_run_opens_to_zoom(visit):
     here = visit()
-    assert here.page.evaluate("window.Plotly === undefined"), "the plot library waits until it is asked for"
+    assert here.page.evaluate("window.Plotly === undefined"), "the plot library is loaded on demand"
     here.page.get_by_role("button", name="Zoom").click()
     here.page.wait_for_selector(".plotly-place .main-svg")
     points = here.page.evaluate("document.querySelector('.plotly-place').data.map((trace) => trace.y.length)")

@@ -1,10 +1,10 @@
-"""The Paper section: every figure is there on desk and phone, opens its case, and can be computed again."""
+"""The Paper section: every figure is shown on desktop and phone, opens its case, and can be computed again."""
 
 import re
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE
+from tests.browser.conftest import DESKTOP, PHONE
 from tests.browser.test_page_access import findings
 from vocalis.studies.paper.report.ship import SCOREBOARD, shipped
 
@@ -17,14 +17,14 @@ PLOTS = {
     "maps": ("fo_hz", "mean_flow_ml_s", "spl_lips_db", "speed_quotient", "closed_quotient"),
     "pca": ("contact_pressure_max_pa", "contact_location"),
 }
-#: Where a point of the pitch map is on the page.
+#: The place of a point of the pitch map on the page.
 PLACE_OF = """([ta, ct]) => {
   const plot = document.querySelector("[data-plot=fo_hz]");
   const { xaxis, yaxis } = plot._fullLayout;
   const box = plot.getBoundingClientRect();
   return [box.x + xaxis._offset + xaxis.l2p(ta), box.y + yaxis._offset + yaxis.l2p(ct)];
 }"""
-SIZES = pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
+SIZES = pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
 
 
 def open_section(visit, section, **context):
@@ -53,7 +53,7 @@ def test_every_part_is_drawn_fits_and_is_open_to_all(visit, section, viewport):
     assert f"paper={section}" in here.page.url
 
 
-def test_the_verdicts_stand_beside_the_figures(visit):
+def test_the_verdicts_are_shown_with_the_figures(visit):
     here = open_section(visit, "pca")
     assert "fail" in here.page.locator("[data-claim=P3]").inner_text()
     here.page.get_by_role("tab", name="Scoreboard").click()
@@ -120,14 +120,14 @@ def test_a_figure_is_computed_again_and_the_shipped_one_comes_back(visit):
     tools.get_by_role("button", name="Compute again").click()
     tools.get_by_text("Computed here").wait_for()
     here.page.wait_for_timeout(200)
-    # Shipped numbers are rounded, so that a pixel may differ; the size of the picture hardly does.
+    # Shipped numbers are rounded, so pixels may differ, but hardly the size of the picture.
     assert len(here.picture("paper-static_ct")) == pytest.approx(before, rel=0.03), "the same picture again"
     assert canvas.bounding_box() == box, "nothing jumps"
     tools.get_by_role("button", name="Back to shipped").click()
     assert tools.get_by_text("Computed here").count() == 0
 
 
-def test_a_long_one_can_be_stopped(visit):
+def test_a_long_computation_can_be_stopped(visit):
     here = open_section(visit, "maps")
     tools = here.page.locator(".figure-tools")
     tools.get_by_role("button", name="Compute again").click()

@@ -16,7 +16,7 @@ def test_ticks_are_round_and_inside(modules):
     assert modules(run, [-0.3, 0.3, 4]) == pytest.approx([-0.2, 0, 0.2])
 
 
-def test_an_axis_stands_still_while_the_data_fill_half_of_it(modules):
+def test_an_axis_is_kept_while_the_data_fill_half_of_it(modules):
     run = "async ([before, data, options]) => { " + AXIS + " return axis.steadyLimits(before, data, options); }"
     first = modules(run, [None, {"min": 0, "max": 95}, {}])
     assert first == [0, 100]
@@ -191,7 +191,7 @@ def test_advice_fits_the_cause(modules):
     assert "TA" in advice(0, ta=0.9, lca=1, ia=1)
 
 
-def test_the_address_gives_back_what_was_put_in(modules):
+def test_the_address_restores_the_settings(modules):
     run = """async () => {
       const { readSchema } = await import("/core/parameters.js");
       const { linkOf, readQuery, writeQuery } = await import("/features/page/url.js");

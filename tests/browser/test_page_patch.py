@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE
+from tests.browser.conftest import DESKTOP, PHONE
 from vfcore.spec.address import address
 from vfcore.spec.paths import DECLARATIONS, LARYNX
 from vfcore.spec.posture_sets import POSTURE_SETS
@@ -154,7 +154,7 @@ def computed(here) -> dict[str, Any]:
     return here.api(f"jobs/{shown}/result")["provenance"]["request"]
 
 
-@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
 def test_a_variant_shows_and_uses_its_own_coupling(visit, viewport):
     here = visit(viewport=viewport)
     phone = viewport is PHONE

@@ -1,13 +1,13 @@
-"""A stranger's path through the page, as one visit: from opening it to a printed report of two voices compared."""
+"""A first visit: from opening the page to a printed report that compares two voices."""
 
 import time
 
 import pytest
 
-from tests.browser.conftest import DESK, PHONE
+from tests.browser.conftest import DESKTOP, PHONE
 
 WITHIN_S = 60
-#: Share of the stage's pixels in the colour of the opening, in its posterior half.
+#: Share of the pixels of the posterior half of the folds in the colour of the opening.
 OPEN_BEHIND = """() => {
   const canvas = document.querySelector("canvas[data-picture=stage]");
   const [width, height] = [canvas.width >> 1, canvas.height];
@@ -24,7 +24,7 @@ OPEN_BEHIND = """() => {
 }"""
 #: Whether all of an element's text can be seen.
 WHOLE = "e => e.scrollHeight <= e.clientHeight + 1 && e.scrollWidth <= e.clientWidth + 1"
-#: Peak of what is sent to the loudspeaker.
+#: Peak of the output to the loudspeaker.
 LOUDNESS = """
 window.peak = 0;
 const connect = AudioNode.prototype.connect;
@@ -44,8 +44,8 @@ window.print = () => { window.printed = true; };
 """
 
 
-@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
-def test_a_strangers_path_takes_less_than_a_minute_and_no_manual(visit, viewport):
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
+def test_a_first_visit_from_opening_to_report_works_without_a_manual(visit, viewport):
     """Open, choose breathy, see the gap, run, hear, hold A, raise LCA, compare, print the report."""
     phone = viewport is PHONE
     start = time.monotonic()
@@ -56,14 +56,14 @@ def test_a_strangers_path_takes_less_than_a_minute_and_no_manual(visit, viewport
 
     here.page.locator(".preset select").select_option("breathy")
     here.settle()
-    told = here.page.locator(".phonation-why" if phone else ".look-for")
-    assert "gap stays open at the back" in told.inner_text()
-    assert told.evaluate(WHOLE), "the sentence is not cut off"
+    sentence = here.page.locator(".phonation-why" if phone else ".look-for")
+    assert "gap stays open at the back" in sentence.inner_text()
+    assert sentence.evaluate(WHOLE), "the sentence is not cut off"
     assert here.page.evaluate(OPEN_BEHIND) > 0.01, "the gap is seen"
 
     here.page.get_by_role("button", name="Listen").first.click()
-    heard = "new Promise((done) => { const f = () => (window.peak > 0.01 ? done(true) : setTimeout(f, 50)); f(); })"
-    assert here.page.evaluate(heard)
+    sounding = "new Promise((done) => { const f = () => (window.peak > 0.01 ? done(true) : setTimeout(f, 50)); f(); })"
+    assert here.page.evaluate(sounding)
     here.page.get_by_role("button", name="Stop", exact=True).first.click()
 
     if phone:

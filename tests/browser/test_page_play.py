@@ -1,4 +1,4 @@
-"""The played voice as it is heard: every sample that leaves for the loudspeaker is read back while controls move."""
+"""The played voice: every sample sent to the loudspeaker is recorded while controls move."""
 
 import numpy as np
 import pytest
@@ -10,25 +10,25 @@ from tests.browser.test_page_sound import pitch_hz
 
 pytestmark = pytest.mark.alone
 
-#: Of the time that a voice sounds: how much may be missing on a machine that does other things as well.
+#: Largest share of missing sound on a machine that also does other work.
 SILENT_SHARE = 0.05
-#: Movements that must have sounded before their delay is judged.
+#: Number of movements that must be audible before their delay is judged.
 ENOUGH = 20
 
 
 @pytest.fixture
 def played(visit):
-    # The tape's worklet is no file of the server's: only here may the page load such a script.
+    # The recorder's worklet is not a file of the server; only these tests may load it.
     return Played(visit(init=TAPE, bypass_csp=True))
 
 
 def computed_hz(ct: float) -> float:
-    """Pitch of the still voice."""
+    """Pitch of the voice at rest, from a request."""
     return vfcore.simulate(vfcore.Simulation(activation=vfcore.Activation(ct=ct))).report.measures["fo_hz"].value
 
 
 def silent_share(sound: np.ndarray) -> float:
-    """Of the pieces of 20 ms: how many are silent."""
+    """Share of silent pieces of 20 ms."""
     whole = sound[: len(sound) // 960 * 960].reshape(-1, 960)
     return float((np.abs(whole).max(axis=1) < 0.2 * np.abs(sound).max()).mean())
 
@@ -54,8 +54,8 @@ def test_sound_goes_on_and_follows_slider_keyboard_and_pad(played, capsys):
             played.page.keyboard.press("Shift+ArrowRight")
         assert played.value("ct") == pytest.approx(0.6, abs=0.1)
         played.page.evaluate("performance.clearMeasures()")
-        for _ in range(5):  # on a busy machine fewer movements sound in a while
-            played.sway("activation.ct", 3)
+        for _ in range(5):  # on a busy machine fewer movements are audible in that time
+            played.drag_back_and_forth("activation.ct", 3)
             times = played.page.evaluate("performance.getEntriesByName('slider to sound').map((e) => e.duration)")
             if len(times) > ENOUGH:
                 break
@@ -72,7 +72,7 @@ def test_sound_goes_on_and_follows_slider_keyboard_and_pad(played, capsys):
     assert pitches[1] > pitches[0] + 30, "CT is the pitch muscle"
     assert pitches[:2] == pytest.approx(wanted, rel=0.01), "it is the model's pitch"
     assert shown == pytest.approx(pitch_hz(sound[last], RATE), rel=0.01), "the page says what sounds"
-    assert len(times) > ENOUGH and p95 < 1000, "a busy machine may be slow, but nothing piles up"
+    assert len(times) > ENOUGH and p95 < 1000, "a busy machine may be slow, but nothing queues up"
     assert silent_share(sound[begin:end]) < SILENT_SHARE
 
 
@@ -95,7 +95,7 @@ def test_p_starts_and_stops_and_the_help_says_so(played):
     assert np.abs(sound[-QUANTUM:]).max() < 0.01, "it was faded out, not cut"
 
 
-def test_a_gesture_is_recorded_and_its_sound_is_kept(played):
+def test_a_gesture_is_recorded_and_its_sound_is_exported(played):
     played.start()
     played.page.get_by_role("button", name="Record").click()
     played.drag("activation.ct", 0.8)
@@ -106,7 +106,7 @@ def test_a_gesture_is_recorded_and_its_sound_is_kept(played):
     assert download.value.path().stat().st_size > 0.5 * RATE * 2
 
 
-def test_on_a_phone_it_plays_under_the_stage(visit):
+def test_on_a_phone_the_pad_is_under_the_folds(visit):
     phone = Played(visit(viewport=PHONE, has_touch=True, init=TAPE, bypass_csp=True)).start()
     phone.pad(0.9, 0.2)
     part = phone.hold(0.4)
@@ -121,7 +121,7 @@ def test_a_minute_without_a_gap(played):
         played.start()
         begin = played.at()
         for muscle in ("ct", "ta", "lca", "ia"):
-            played.sway(f"activation.{muscle}", 15)
+            played.drag_back_and_forth(f"activation.{muscle}", 15)
             played.here.slider(f"activation.{muscle}").dblclick()
         sound = played.tape()[begin:]
     gaps = played.gaps() + played.missing

@@ -1,15 +1,15 @@
-"""What the page promises in numbers: nothing jumps, the first view comes at once, a drag leaves room in every frame."""
+"""Quality in numbers: no layout shift, a fast first view, and short scripts in every frame of a drag."""
 
 import json
 
 import pytest
 
-from tests.browser.conftest import DESK, MOVING, PHONE
+from tests.browser.conftest import DESKTOP, MOVING, PHONE
 from tests.browser.trace import CATEGORIES, scripts_of_frames
 from tests.browser.visit import Visit
 
-SIZES = pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
-#: Sums all that moved by itself, as cumulative layout shift does, and also what moved in answer to the hand.
+SIZES = pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
+#: Records all layout shifts: those of cumulative layout shift, and also those after user input.
 SHIFTS = """
 window.shifts = [];
 new PerformanceObserver((list) => {
@@ -19,7 +19,7 @@ new PerformanceObserver((list) => {
 """
 
 
-#: The observer is told a frame or two after the shift.
+#: The observer is notified a frame or two after the shift.
 LATER = """() => new Promise((done) => {
   const frame = (n) => (n ? requestAnimationFrame(() => frame(n - 1)) : done(window.shifts.splice(0)));
   frame(4);
@@ -27,7 +27,7 @@ LATER = """() => new Promise((done) => {
 
 
 def shifted(here) -> float:
-    """What has moved since the last call; prints it where it is more than nothing."""
+    """The layout shift since the last call; printed unless it is 0."""
     shifts = here.page.evaluate(LATER)
     for shift in shifts:
         print(shift)
@@ -35,7 +35,7 @@ def shifted(here) -> float:
 
 
 def drag(here, path: str, moves: int, pause_ms: float) -> None:
-    """With a real pointer from the middle of a slider to and fro."""
+    """Drag a slider back and forth from its middle with a real pointer."""
     slider = here.slider(path)
     slider.scroll_into_view_if_needed()
     box = slider.bounding_box()
@@ -51,7 +51,7 @@ def drag(here, path: str, moves: int, pause_ms: float) -> None:
 
 @SIZES
 def test_nothing_jumps(visit, viewport):
-    """Less than a fiftieth of the screen in all, over the load, every tab, every preset and a drag."""
+    """Total layout shift below a fiftieth of the screen over the load, every tab, every preset and a drag."""
     here = visit(viewport=viewport, init=SHIFTS)
     moved = {"load": shifted(here)}
     tabs = here.page.get_by_role("tab")
@@ -72,7 +72,7 @@ def test_nothing_jumps(visit, viewport):
     assert sum(moved.values()) < 0.02, {name: share for name, share in moved.items() if share}
 
 
-#: When the first picture of the folds, and when everything that follows from a voice, was painted after navigation, ms.
+#: Time from navigation to the first picture of the folds, or to all pictures of a voice, ms.
 PAINTED = """(name) => {
   const times = performance.getEntriesByName(name).map((e) => e.startTime + e.duration);
   return times.length ? Math.min(...times) : null;
@@ -82,13 +82,13 @@ PAINTED = """(name) => {
 @pytest.mark.alone
 @SIZES
 def test_the_first_view_comes_at_once(chromium, server, viewport, capsys):
-    """As a stranger, nothing kept by the browser. Prints the better of two; the bound is for a machine that is busy."""
+    """First visit with an empty cache. Prints the better of two; the bound allows for a busy machine."""
     times = {"slider to shape": [], "slider to all": []}
     for _ in range(2):
         here = Visit(chromium.new_context(viewport=viewport), server)
         here.open()
         here.settle()
-        assert here.ink("stage") > 0.1, "what was painted is a picture"
+        assert here.ink("stage") > 0.1, "the painted picture is not empty"
         for name, seen in times.items():
             seen.append(here.page.evaluate(PAINTED, name))
         assert here.complaints == [] and here.strangers == []
@@ -99,15 +99,15 @@ def test_the_first_view_comes_at_once(chromium, server, viewport, capsys):
     assert everything < 6000
 
 
-#: What is open while the hand drags, at each size; the phone has its sliders under a tab of their own.
-OPEN = {"desk": ["panel-voice", "panel-folds"], "phone": ["tab-muscles"]}
+#: The open panel during the drag at each size; on a phone the sliders have a tab of their own.
+OPEN = {"desktop": ["panel-voice", "panel-folds"], "phone": ["tab-muscles"]}
 
 
 @pytest.mark.alone
 @pytest.mark.parametrize("size", OPEN)
 def test_a_drag_leaves_room_in_every_frame(visit, chromium, size, capsys):
-    """Prints the scripting of a frame; the bound is on the middle one, for machines that do other things besides."""
-    here = visit(viewport={"desk": DESK, "phone": PHONE}[size], **MOVING)
+    """Prints the scripting time of a frame; the bound is on the median, to allow for other work on the machine."""
+    here = visit(viewport={"desktop": DESKTOP, "phone": PHONE}[size], **MOVING)
     here.page.keyboard.press("a")
     for place in OPEN[size]:
         here.page.locator(f"#{place}").click()

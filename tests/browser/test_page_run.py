@@ -19,7 +19,7 @@ def test_a_longer_run_shows_its_progress_and_can_be_cancelled(visit):
     here.page.get_by_role("button", name="Run").wait_for()
 
 
-def test_a_finished_run_can_be_shown_heard_and_kept(visit):
+def test_a_finished_run_can_be_shown_played_and_exported(visit):
     here = visit("?activation.ct=0.7")
     live = here.result_id()
     here.page.get_by_role("tab", name="Runs").click()
@@ -42,7 +42,7 @@ def test_a_finished_run_can_be_shown_heard_and_kept(visit):
     assert here.result_id() not in (live, job["id"]), "the next movement goes back to live"
 
 
-def test_a_run_that_is_refused_says_why(visit):
+def test_a_refused_run_shows_the_reason(visit):
     here = visit()
     here.expected = re.compile("422|429")
     refusal = '{"status":422,"title":"Too long","detail":"This run is too long for this server."}'

@@ -1,4 +1,4 @@
-"""The voice is heard: not before a gesture, at the right pitch, without a jump, and not too loud."""
+"""The sound of the voice: after a user gesture, at the right pitch, without clicks, and not too loud."""
 
 import wave
 from io import BytesIO
@@ -20,7 +20,7 @@ AudioNode.prototype.connect = function (target, ...rest) {
   return connect.call(this, target, ...rest);
 };
 """
-HEARD = """() => {
+TAPPED = """() => {
   const samples = new Float32Array(16384);
   window.taps[0].getFloatTimeDomainData(samples);
   return { rate: window.taps[0].context.sampleRate, samples: Array.from(samples) };
@@ -46,9 +46,9 @@ def unlike_itself(samples: np.ndarray, period: float) -> float:
     return float(np.sqrt(np.mean((later - first) ** 2) / np.mean(first**2)))
 
 
-def heard(here) -> tuple[np.ndarray, float]:
+def tapped(here) -> tuple[np.ndarray, float]:
     here.page.wait_for_timeout(900)
-    answer = here.page.evaluate(HEARD)
+    answer = here.page.evaluate(TAPPED)
     return np.array(answer["samples"]), answer["rate"]
 
 
@@ -56,41 +56,41 @@ def fo_hz(here) -> float:
     return here.api(f"jobs/{here.result_id()}/result")["measures"]["fo_hz"]["value"]
 
 
-def test_nothing_sounds_before_a_gesture_then_the_voice_at_its_pitch_and_modestly(visit):
+def test_nothing_sounds_before_a_user_gesture_then_the_voice_at_its_pitch_and_a_modest_level(visit):
     here = visit(init=TAP)
     assert here.page.evaluate("window.taps.length") == 0
     here.page.get_by_role("button", name="Listen").click()
-    samples, rate = heard(here)
+    samples, rate = tapped(here)
     assert 0.01 < np.abs(samples).max() < 0.5, "audible, and modest before the volume is touched"
     assert pitch_hz(samples, rate) == pytest.approx(fo_hz(here), rel=0.005)
     assert unlike_itself(samples, rate / fo_hz(here)) < 0.05, "no jump where the loop begins again"
 
 
-def test_the_sounding_voice_follows_the_hand_and_falls_silent_with_it(visit):
+def test_the_sound_follows_the_controls_and_stops_with_the_phonation(visit):
     here = visit(init=TAP)
     here.page.keyboard.press("Space")
-    low, _ = heard(here)
+    low, _ = tapped(here)
     here.set("activation.ct", 1)
-    samples, rate = heard(here)
+    samples, rate = tapped(here)
     assert pitch_hz(samples, rate) == pytest.approx(fo_hz(here), rel=0.005)
     assert pitch_hz(samples, rate) > pitch_hz(low, rate) + 20
     here.page.get_by_label("Voice").select_option("no_phonation")
     here.settle()
     assert here.state() == "No sustained vibration"
-    assert np.abs(heard(here)[0]).max() == 0
+    assert np.abs(tapped(here)[0]).max() == 0
     here.page.get_by_label("Voice").select_option("modal")
     here.settle()
-    assert np.abs(heard(here)[0]).max() > 0.01, "it comes back by itself"
+    assert np.abs(tapped(here)[0]).max() > 0.01, "it comes back by itself"
     here.page.keyboard.press("Space")
-    assert np.abs(heard(here)[0]).max() == 0
+    assert np.abs(tapped(here)[0]).max() == 0
 
 
 def test_the_volume_slider_turns_it_down(visit):
     here = visit(init=TAP)
     here.page.get_by_role("button", name="Listen").click()
-    loud, _ = heard(here)
+    loud, _ = tapped(here)
     here.page.get_by_label("Volume").fill("0.1")
-    soft, _ = heard(here)
+    soft, _ = tapped(here)
     assert np.abs(soft).max() < 0.1 * np.abs(loud).max()
 
 
@@ -100,10 +100,10 @@ def test_without_repeat_the_run_sounds_once(visit):
     here.page.get_by_role("button", name="Listen").click()
     here.page.get_by_role("button", name="Stop", exact=True).wait_for()
     here.page.get_by_role("button", name="Listen").wait_for(timeout=3000)
-    assert np.abs(heard(here)[0]).max() == 0
+    assert np.abs(tapped(here)[0]).max() == 0
 
 
-def test_the_sound_can_be_kept_as_a_file(visit):
+def test_the_sound_can_be_saved_as_a_file(visit):
     here = visit()
     with here.page.expect_download() as download:
         here.page.get_by_role("link", name="Download").click()
@@ -155,7 +155,7 @@ def test_a_loop_of_whole_periods_repeats_without_a_seam(modules, rate, out):
     t = np.arange(round(0.5 * rate)) / rate
     wave_pa = np.sin(2 * np.pi * hertz * t) + 0.5 * np.sin(2 * np.pi * 7 * hertz * t + 1)
     if rate > 80_000:
-        wave_pa += np.sin(2 * np.pi * 40_000 * t)  # above what can sound: must not come back folded down
+        wave_pa += np.sin(2 * np.pi * 40_000 * t)  # above the Nyquist frequency: must not alias
     loop = np.array(modules(LOOP, [wave_pa.tolist(), rate, 1 / hertz, True, out]))
     assert pitch_hz(np.tile(loop, 2), out) == pytest.approx(hertz, rel=5e-4)
     twice = np.tile(loop, 2)
@@ -165,7 +165,7 @@ def test_a_loop_of_whole_periods_repeats_without_a_seam(modules, rate, out):
     lines = {round(hertz * n * len(loop) / out) for n in (1, 7)}
     assert sorted(spectrum)[-1] == pytest.approx(1, rel=0.01)
     others = [level for k, level in enumerate(spectrum) if all(abs(k - line) > 8 for line in lines)]
-    assert max(others) < 2e-3, "nothing is added beside the wave's own harmonics"
+    assert max(others) < 2e-3, "nothing is added to the wave's own harmonics"
 
 
 STREAM = """async ([pieces, rate]) => {
@@ -189,11 +189,11 @@ STREAM = """async ([pieces, rate]) => {
 }"""
 
 
-def test_a_played_voice_that_runs_dry_fades_out_and_in_and_says_so(modules):
+def test_a_buffer_underrun_fades_out_and_in_and_is_reported(modules):
     rate, seconds = 48000, 0.2
     t = np.arange(round(seconds * rate)) / rate
     first, second = (np.sin(2 * np.pi * 200 * (t + begin)).tolist() for begin in (0, seconds))
-    # A message posted in one rest of an offline context arrives in the next.
+    # A message posted in one suspension of an offline context arrives in the next.
     rests = [[0.003, [], None], [0.006, first, 1], [0.01, [], None], [0.49, second, 2], [0.5, [], None]]
     answer = modules(STREAM, [rests, rate])
     sound = np.array(answer["sound"])

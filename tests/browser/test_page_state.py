@@ -1,8 +1,8 @@
-"""Views are functions of the state: whichever way it came, however often they are put up and taken down."""
+"""Views are functions of the state, however it was reached, and can be mounted and unmounted repeatedly."""
 
 from tests.browser.visit import FRAMES, Visit
 
-#: Every figure on the page as its painter draws it now, from the state alone: {name: SVG}.
+#: Every figure on the page, drawn from the current state: {name: SVG}.
 FIGURES = """async () => {
   const { figures, svgOf } = await import("/core/export.js");
   return Object.fromEntries(figures.value.filter((f) => f.paint).map((figure) => [figure.name, svgOf(figure, "#fff")]));
@@ -16,7 +16,7 @@ PANELS = ("waves", "voice", "folds", "compare", "measures")
 
 
 def seen(here: Visit) -> dict[str, str]:
-    """Figures of every panel, and its words."""
+    """The figures and the text of every panel."""
     found = {}
     for panel in PANELS:
         here.page.locator(f"#panel-{panel}").click()
@@ -26,7 +26,7 @@ def seen(here: Visit) -> dict[str, str]:
     return found
 
 
-def test_the_same_state_looks_the_same_whichever_way_it_came(visit):
+def test_the_same_state_looks_the_same_however_it_was_reached(visit):
     here = visit()
     here.set("activation.lca", 0.5)
     here.page.locator(".preset select").select_option("breathy")
@@ -43,7 +43,7 @@ def test_the_same_state_looks_the_same_whichever_way_it_came(visit):
     assert [name for name in by_link if by_hand[name] != by_link[name]] == []
 
 
-def test_what_is_taken_down_leaves_nothing_behind(visit):
+def test_unmounting_leaves_nothing_behind(visit):
     here = visit()
     here.hold_still()
     counts = []
@@ -59,10 +59,10 @@ def test_what_is_taken_down_leaves_nothing_behind(visit):
     asked = []
     here.page.on("request", lambda request: asked.append(request.url))
     here.page.evaluate("dispatchEvent(new PageTransitionEvent('pagehide', { persisted: false }))")
-    here.page.evaluate(FRAMES, 3)  # what was to be painted already
+    here.page.evaluate(FRAMES, 3)  # what was already scheduled to be painted
     still = here.picture("stage")
     here.slider("activation.ct").evaluate(MOVE)
     here.page.keyboard.press("?")
     here.page.wait_for_timeout(300)
-    assert asked == [] and here.picture("stage") == still, "a page that is left asks and moves no more"
-    assert here.page.get_by_role("dialog").count() == 0, "and hears no keys"
+    assert asked == [] and here.picture("stage") == still, "a page that is left sends and animates nothing"
+    assert here.page.get_by_role("dialog").count() == 0, "and handles no keys"

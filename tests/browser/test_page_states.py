@@ -1,4 +1,4 @@
-"""When something is not there: no vibration, a refused value, a server that is busy, silent or locked."""
+"""Exceptional states: no vibration, a refused value, a server that is busy, lost or locked."""
 
 import re
 
@@ -9,7 +9,7 @@ from tests.browser.conftest import server_process
 SILENT = "?activation.lca=0.2&activation.ia=0.2&activation.pca=1&subglottal_pressure_pa=300"
 
 
-def test_no_phonation_says_why_and_what_would_help(visit):
+def test_without_phonation_the_page_shows_the_cause_and_advice(visit):
     here = visit()
     here.page.get_by_label("Voice").select_option("no_phonation")
     here.settle()
@@ -53,7 +53,7 @@ def test_a_refused_value_is_explained_at_its_field_and_the_voice_stays(visit):
     assert here.result_id() != kept
 
 
-def test_what_is_no_number_is_refused_by_the_server_too(visit):
+def test_a_value_that_is_not_a_number_is_refused_by_the_server_too(visit):
     here = visit()
     here.expected = re.compile("422")
     here.page.get_by_text("Advanced").click()
@@ -65,7 +65,7 @@ def test_what_is_no_number_is_refused_by_the_server_too(visit):
     assert "many" in refusal.inner_text()
 
 
-def test_the_first_start_shows_what_is_going_on(visit):
+def test_the_first_start_shows_its_progress(visit):
     here = visit(wait=False)
     message = '{"status":"ok","ready":false,"message":"compiling the step of the fold (2 of 2)"}'
     here.page.route("**/api/v1/health", lambda route: route.fulfill(body=message, content_type="application/json"))
@@ -77,7 +77,7 @@ def test_the_first_start_shows_what_is_going_on(visit):
 
 
 @pytest.mark.parametrize("shapes_at_hand", [False, True])
-def test_a_server_that_falls_silent_is_said_and_found_again(visit, shapes_at_hand):
+def test_a_lost_server_is_reported_and_found_again(visit, shapes_at_hand):
     here = visit()
     if shapes_at_hand:
         with here.page.expect_response(lambda response: response.url.endswith("/postures")):
@@ -95,7 +95,7 @@ def test_a_server_that_falls_silent_is_said_and_found_again(visit, shapes_at_han
     assert request["activation"]["ct"] == 0.31
 
 
-def test_a_token_is_asked_for_and_the_settings_survive_it(visit):
+def test_the_page_asks_for_a_token_and_keeps_the_settings(visit):
     with server_process(VOCALIS_TOKEN="open-sesame") as address:
         here = visit(address=address, wait=False)
         here.expected = re.compile("401")

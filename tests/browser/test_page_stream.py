@@ -1,12 +1,13 @@
-"""How much sound the page keeps waiting: more after a dip, for half a minute, and less again in calm."""
+"""The target of the audio buffer: higher for half a minute after a dip, then lower again."""
 
 from pathlib import Path
 
 import pytest
 
 WORKLET = Path(__file__).parents[2] / "frontend/features/play/stream-worklet.js"
-#: The worklet's own code, played for as long as ``story`` says without a loudspeaker, so much sound being there that
-#: what is wanted and a block more waits, but for one dip a part. Answers what was wanted at the end of each, and gaps.
+#: Runs the code of the worklet without a loudspeaker for each part (seconds, dip in ms) of ``story``. The buffer is
+#: kept one block above its target, except for one dip in each part. Returns the target at the end of each part, and the
+#: number of gaps.
 PLAY = """story => {
   let Player;
   const sampleRate = 48000, currentTime = 0;
@@ -38,20 +39,20 @@ def stream(chromium):
     page.close()
 
 
-def test_a_dip_is_remembered_for_half_a_minute_and_then_forgotten_slowly(stream):
+def test_after_a_dip_the_buffer_target_is_raised_for_half_a_minute_and_then_falls_slowly(stream):
     calm, dipped, later, after, long_after = stream((20, 0), (1, 29), (20, 0), (25, 0), (60, 0))
     assert calm == [30, 0]
-    assert dipped == [pytest.approx(35, abs=3), 0], "the next one as deep would leave some"
+    assert dipped == [pytest.approx(35, abs=3), 0], "an equal dip would leave a reserve"
     assert later == dipped
     assert 30 <= after[0] < later[0]
     assert long_after == [30, 0]
 
 
-def test_after_a_gap_more_is_kept(stream):
+def test_after_a_gap_the_buffer_target_rises(stream):
     (_, before), (wanted, gaps) = stream((6, 0), (2, 60))
     assert before == 0 and gaps == 1
     assert 46 <= wanted <= 80
 
 
-def test_however_deep_the_dips_there_is_a_most(stream):
+def test_the_buffer_target_has_an_upper_limit(stream):
     assert max(wanted for wanted, _ in stream(*[(2, 400)] * 30)) <= 200

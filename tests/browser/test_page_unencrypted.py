@@ -1,11 +1,11 @@
-"""The page by another name than localhost and without TLS: what browsers then withhold is said, the rest works."""
+"""The page without TLS on a name other than localhost: it lists what browsers then block, and the rest works."""
 
 import re
 from urllib.parse import urlsplit
 
 import pytest
 
-from tests.browser.conftest import DESK, server_process
+from tests.browser.conftest import DESKTOP, server_process
 from tests.browser.visit import Visit
 
 NAME = "larynx.test"
@@ -20,7 +20,7 @@ PASTED = """() => new Promise((done) => {
 
 @pytest.fixture(scope="module")
 def elsewhere(launch):
-    """(browser that finds the server under a name that is not localhost, address)."""
+    """(browser that resolves a name other than localhost to the server, address)."""
     with server_process(VOCALIS_TOKEN="open-sesame", VOCALIS_ALLOWED_HOSTS=NAME) as address:
         browser = launch(f"--host-resolver-rules=MAP {NAME} 127.0.0.1")
         yield browser, f"http://{NAME}:{urlsplit(address).port}"
@@ -28,16 +28,16 @@ def elsewhere(launch):
 
 
 def pasted(here) -> str:
-    """What the clipboard holds, by pasting it into a field."""
+    """The content of the clipboard, pasted into a field."""
     held = here.page.evaluate_handle(f"() => ({{ text: ({PASTED})() }})")
     here.page.keyboard.press("Control+V")
     return held.evaluate("async (held) => await held.text")
 
 
-def test_a_shared_link_survives_the_way_in_and_the_page_says_what_needs_tls(elsewhere):
+def test_a_shared_link_works_and_the_page_lists_what_needs_tls(elsewhere):
     browser, address = elsewhere
-    here = Visit(browser.new_context(viewport=DESK), address)
-    here.expected = re.compile("Cross-Origin-Opener-Policy")  # ignored by browsers without TLS, and said so
+    here = Visit(browser.new_context(viewport=DESKTOP), address)
+    here.expected = re.compile("Cross-Origin-Opener-Policy")  # browsers ignore it without TLS and log that
     here.open("?activation.ct=0.5")
     here.page.get_by_label("Token").fill("open-sesame")
     here.page.keyboard.press("Enter")
@@ -66,6 +66,6 @@ def test_a_shared_link_survives_the_way_in_and_the_page_says_what_needs_tls(else
     here.context.close()
 
 
-def test_on_this_machine_the_page_does_not_speak_of_tls(visit):
+def test_on_localhost_the_page_does_not_mention_tls(visit):
     here = visit()
     assert "TLS" not in here.page.locator(".left .use").inner_text()

@@ -1,24 +1,24 @@
-"""The deeper views: spectrum and tract, folds over time, two voices, history, lessons."""
+"""More views: spectrum and tract, folds over time, two voices, history, lessons."""
 
 import json
 from pathlib import Path
 
 import pytest
 
-from tests.browser.conftest import DESK, MOVING, PHONE
+from tests.browser.conftest import DESKTOP, MOVING, PHONE
 
 LESSONS = Path(__file__).parents[2] / "frontend" / "features" / "lessons"
 
 
 def show(here, panel: str) -> None:
-    """Open a panel, on a desk or on a phone, and wait until its pictures are painted."""
+    """Open a panel, on a desktop or a phone, and wait until its pictures are painted."""
     if not here.page.locator(f"#panel-{panel}").count():
         here.page.locator("#tab-waves").click()
     here.page.locator(f"#panel-{panel}").click()
     here.painted()
 
 
-@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
 def test_the_spectrum_follows_voice_and_vowel(visit, viewport):
     here = visit(viewport=viewport)
     show(here, "voice")
@@ -34,7 +34,7 @@ def test_the_spectrum_follows_voice_and_vowel(visit, viewport):
     assert [name for name in before if here.picture(name) == before[name]] == []
 
 
-def test_heavy_pictures_wait_for_the_hand_to_rest(visit):
+def test_expensive_pictures_wait_until_the_controls_rest(visit):
     here = visit()
     show(here, "voice")
     before = here.picture("spectrum")
@@ -53,17 +53,17 @@ def test_heavy_pictures_wait_for_the_hand_to_rest(visit):
         }""",
         before,
     )
-    assert not moved, "nothing heavy is painted during a drag"
+    assert not moved, "nothing expensive is painted during a drag"
     here.painted()
     assert here.picture("spectrum") != before
 
 
 def moment(percent: int) -> str:
-    """Name of the one of six moments of the cycle that a phase belongs to."""
+    """Label of the one of six moments of the cycle that contains a phase."""
     return f"Look at {round(100 * (percent * 6 // 100 + 0.5) / 6)} % of the cycle"
 
 
-@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
 def test_kymogram_levels_and_the_shared_cursor(visit, viewport):
     here = visit("?activation.lca=0.4", viewport=viewport)
     show(here, "folds")
@@ -90,7 +90,7 @@ def test_kymogram_levels_and_the_shared_cursor(visit, viewport):
     assert (places[0] - start - 2.9 * rem) / cycle == pytest.approx(held / 100, abs=0.02), "one cursor for all views"
 
 
-@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
 def test_a_and_b_side_by_side_as_difference_and_to_hear(visit, viewport):
     here = visit("?activation.pca=0.5", viewport=viewport)
     here.page.keyboard.press("a")
@@ -126,7 +126,7 @@ def test_a_and_b_side_by_side_as_difference_and_to_hear(visit, viewport):
     here.page.wait_for_url("**/?activation.pca=0.5")
 
 
-def test_undo_and_redo_walk_through_the_voices_of_the_visit(visit):
+def test_undo_and_redo_step_through_the_voices_of_the_visit(visit):
     here = visit()
     here.painted()
     for path, value in (("activation.ct", 0.6), ("activation.ta", 0.1)):
@@ -151,22 +151,22 @@ def test_undo_and_redo_walk_through_the_voices_of_the_visit(visit):
     assert here.typed("Cricothyroid (CT)").input_value() == "0.30"
 
 
-@pytest.mark.parametrize("viewport", [DESK, PHONE], ids=["desk", "phone"])
-def test_a_lesson_sets_the_model_and_says_what_to_see(visit, viewport):
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
+def test_a_lesson_sets_the_model_and_describes_what_to_see(visit, viewport):
     here = visit(viewport=viewport)
     if viewport == PHONE:
         here.page.locator("#tab-more").click()
     else:
         here.page.locator("#panel-lessons").click()
-    told = json.loads((LESSONS / "why-voice-stops.json").read_text(encoding="utf-8"))
+    lesson = json.loads((LESSONS / "why-voice-stops.json").read_text(encoding="utf-8"))
     here.page.locator(".lesson-row").nth(7).wait_for()
-    here.page.locator(".lesson-row", has_text=told["title"]).click()
+    here.page.locator(".lesson-row", has_text=lesson["title"]).click()
     here.page.wait_for_selector(".lesson-card[data-step='0']")
     for k in range(1, 3):
         here.page.get_by_role("button", name="Next").click()
         here.page.wait_for_selector(f".lesson-card[data-step='{k}']")
     here.settle()
-    assert told["steps"][2]["see"] in here.page.locator(".lesson-words").inner_text()
+    assert lesson["steps"][2]["see"] in here.page.locator(".lesson-words").inner_text()
     assert here.state() == "No sustained vibration"
     here.page.get_by_role("button", name="Back", exact=True).click()
     here.settle()
@@ -176,7 +176,9 @@ def test_a_lesson_sets_the_model_and_says_what_to_see(visit, viewport):
 
 
 def test_the_strobe_shows_as_many_cycles_a_second_at_any_pitch(visit):
-    """Of the time that is shown: after a wait of over 100 ms, as on a busy machine, the motion goes on where it was."""
+    """Rate over the displayed time: after a pause of over 100 ms, as on a busy machine, the motion continues where it
+    was.
+    """
     here = visit(**MOVING)
     here.page.locator(".speed select").select_option("strobe 1")
     rate, steps = here.page.evaluate(
@@ -202,7 +204,7 @@ def test_the_strobe_shows_as_many_cycles_a_second_at_any_pitch(visit):
     assert 5 < steps <= 40, "flashes, not a film"
 
 
-def test_where_the_motion_is_stopped_the_numbers_are_those_of_the_picture(visit):
+def test_when_the_motion_stops_the_numbers_are_those_of_the_picture(visit):
     here = visit()
     apart = here.page.evaluate(
         """async () => {

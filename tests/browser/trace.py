@@ -1,4 +1,4 @@
-"""Reads a trace of Chromium: how long scripts ran between one frame of the page and the next."""
+"""Reads a trace of Chromium: script time between one frame of the page and the next."""
 
 SCRIPTS = {
     "EvaluateScript",
@@ -17,14 +17,14 @@ CATEGORIES = ["devtools.timeline"]
 
 
 def scripts_of_frames(events: list[dict]) -> list[float]:
-    """Milliseconds of scripts of each frame on the thread that painted most of them."""
+    """Script time of each frame, ms, on the thread that painted most frames."""
     frames: dict[tuple, list[float]] = {}
     for event in events:
         if event["name"] in FRAMES and event["ph"] in "bX":
             frames.setdefault((event["pid"], event["tid"]), []).append(event["ts"])
     thread, painted = max(frames.items(), key=lambda item: len(item[1]))
     starts = [min(painted)]
-    for start in sorted(painted):  # a browser without a screen paints more often than a screen would ask for
+    for start in sorted(painted):  # a headless browser paints more often than a screen would
         if start - starts[-1] >= SCREEN_US:
             starts.append(start)
     spans = sorted(
@@ -40,7 +40,7 @@ def scripts_of_frames(events: list[dict]) -> list[float]:
 
 
 def outermost(spans: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Spans that lie in no other: a call within a call counts once."""
+    """Spans that are not inside another one, so that nested calls count once."""
     joined: list[tuple[float, float]] = []
     for begin, end in spans:
         if joined and begin < joined[-1][1]:

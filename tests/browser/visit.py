@@ -1,4 +1,4 @@
-"""One visit to the page: what a person does and sees, in a few words."""
+"""One visit to the page: actions and observations of a user."""
 
 import re
 from urllib.parse import urlsplit
@@ -8,7 +8,7 @@ PICTURE = """name => {
   const canvas = document.querySelector(`canvas[data-picture="${name}"]`);
   return canvas.toDataURL();
 }"""
-#: Share of a canvas's pixels that differ from its first one: 0 for an empty picture.
+#: Share of the pixels of a canvas that differ from its first one: 0 for an empty picture.
 INK = """name => {
   const canvas = document.querySelector(`canvas[data-picture="${name}"]`);
   const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
@@ -17,8 +17,8 @@ INK = """name => {
     if ([0, 1, 2, 3].some((c) => data[k + c] !== data[c])) different++;
   return (4 * different) / data.length;
 }"""
-#: Once the heavy pictures have taken up the newest voice, the view of the open tab has been fetched, and every canvas
-#: on the page has been given the size of its box, which happens in the frame that paints it first.
+#: Resolves once the expensive pictures show the newest voice, the view of the open tab has been loaded, and every
+#: canvas has the size of its box, which it gets in the frame that paints it first.
 PAINTED = """async () => {
   const [{ settled }, { result }] = await Promise.all([import("/state/settled.js"), import("/state/answers.js")]);
   const frame = () => new Promise(requestAnimationFrame);
@@ -38,7 +38,7 @@ class Visit:
         self.context, self.address = context, address
         self.complaints: list[str] = []
         self.strangers: list[str] = []
-        self.expected = re.compile(r"(?!)")  # complaints a test provokes
+        self.expected = re.compile(r"(?!)")  # complaints that a test expects
         self.page = context.new_page()
         self.page.set_default_timeout(20_000)
         self.page.on("console", self._hear)
@@ -60,12 +60,12 @@ class Visit:
         self.page.goto(f"{self.address}/{query}")
 
     def settle(self) -> None:
-        """Wait until what is shown answers what is set, and is painted."""
+        """Wait until the result of the current settings is painted."""
         self.page.wait_for_selector(SETTLED)
         self.page.evaluate(FRAMES, 3)
 
     def painted(self) -> None:
-        """Wait until the slower pictures are painted too: they follow once the controls rest."""
+        """Wait until the slower pictures are painted as well, which happens once the controls rest."""
         self.settle()
         self.page.evaluate(PAINTED)
         self.page.evaluate(FRAMES, 3)

@@ -1,4 +1,4 @@
-"""Whatever cannot be used ends with exit code 2 and one line that names the field, the value and what is allowed."""
+"""Invalid input ends with exit code 2 and one line that names the field, the value and the allowed values."""
 
 import io
 
@@ -6,7 +6,7 @@ import pytest
 
 from vocalis.cli.main import main
 
-# arguments after the command, and what the line has to name
+# arguments after the command, and what the line has to contain
 REFUSED = [
     ("--ta 1.5", "activation.ta", "1.5", "0 to 1"),
     ("--ta -0.1", "activation.ta", "-0.1", "0 to 1"),
@@ -81,7 +81,7 @@ def test_it_is_refused_in_one_line(capsys, arguments, field, value, allowed):
     ],
     ids=["single quotes", "empty", "deep", "list", "null", "NaN", "text", "grid"],
 )
-def test_a_request_that_cannot_be_read_says_why(capsys, monkeypatch, text, what):
+def test_a_request_that_cannot_be_read_is_refused_with_the_reason(capsys, monkeypatch, text, what):
     monkeypatch.setattr("sys.stdin", io.StringIO(text))
     assert what in refusal(capsys, "simulate", "--request", "-")
 
@@ -93,11 +93,11 @@ def test_a_file_that_is_not_text_is_refused(capsys, tmp_path):
 
 
 def test_an_unwritable_file_is_found_out_before_the_run(capsys, monkeypatch):
-    monkeypatch.setattr("vocalis.cli.simulate.simulate_watched", lambda request: pytest.fail("it was run"))
+    monkeypatch.setattr("vocalis.cli.simulate.simulate_watched", lambda request: pytest.fail("the run started"))
     assert "/no/such/folder" in refusal(capsys, "simulate", "--wav", "/no/such/folder/x.wav")
 
 
-def test_a_disk_that_fills_up_is_one_line_too(capsys, monkeypatch, tmp_path):
+def test_a_full_disk_is_reported_in_one_line(capsys, monkeypatch, tmp_path):
     def full(*_):
         raise OSError(28, "No space left on device")
 
@@ -119,7 +119,7 @@ def test_an_unknown_command_or_field_is_refused_everywhere(capsys, command):
         ("--set constants.K_coup_max_pa_m=1e4 --set constants.C_coup_pa_s_m=0 --pressure 5000", "diverged"),
     ],
 )
-def test_a_question_without_an_answer_ends_with_code_1(capsys, arguments, sentence):
+def test_a_request_without_an_answer_ends_with_code_1(capsys, arguments, sentence):
     assert main(["simulate", *arguments.split()]) == 1
     printed = capsys.readouterr()
     assert printed.out == "" and printed.err.count("\n") == 1 and sentence in printed.err

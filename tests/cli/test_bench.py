@@ -1,4 +1,6 @@
-"""The benchmarks measure what they say: the plain loop is the same voice, the count is that of the source."""
+"""The benchmarks: the plain loop gives the same voice, operation counts are those of the source, tables are
+complete.
+"""
 
 import json
 import time
@@ -46,7 +48,7 @@ def test_the_plain_loop_is_the_slow_twin_of_the_tests():
         assert plain[:, column] == pytest.approx(np.maximum(wave, 0.0), rel=1e-6, abs=1e-9 * np.abs(wave).max())
 
 
-def test_counted_numbers_count():
+def test_counting_numbers_count_operations():
     Counted.tally.update(dict.fromkeys(Counted.tally, 0))
     a = np.array([2.0, 3.0, 5.0, 7.0]).view(Counted)
     value = 1.0 + a[0:2] * a[2:4] - np.where(a[0:2] > 2.5, a[0:2], 0.5) / 4
@@ -71,7 +73,7 @@ def test_rounds_are_interleaved_and_the_first_does_not_count():
     assert all(len(took) == 3 and 0 <= min(took) and max(took) < 0.1 for took in seconds.values())
 
 
-def test_of_uneven_rounds_the_middle_one_counts():
+def test_the_median_of_the_rounds_counts():
     naps = iter((0.2, 0.001, 0.05, 0.01))  # the first does not count
     seconds = interleaved({"uneven": lambda: time.sleep(next(naps))}, 3, turn_s=0.0)
     assert 0.01 <= seconds["uneven"] < 0.05
@@ -122,13 +124,13 @@ def test_the_table_is_json_too(capsys):
     assert document["machine"]["cores"] >= 1
 
 
-def test_what_a_client_waits_for_is_timed_from_request_to_whole_answer():
+def test_an_answer_is_timed_from_request_to_last_byte():
     seconds = answers(rounds=1, points=2, voices=2)
     assert {name: len(took) for name, took in seconds.items()} == {"http": 2, "map": 1, "map_single": 1}
     assert all(0.001 < took < 60 for of_kind in seconds.values() for took in of_kind)
 
 
-def test_a_map_with_a_gap_is_no_map(tmp_path):
+def test_an_incomplete_map_is_an_error(tmp_path):
     body = {"kind": "sweep", "axes": [{"parameter": "run.time_step_s", "values": [1e-5, 1e-3]}]}
     with (
         served(str(tmp_path), 1) as (client, _),
@@ -137,7 +139,7 @@ def test_a_map_with_a_gap_is_no_map(tmp_path):
         to_table(client, body, 0)
 
 
-def test_the_table_says_what_is_wanted(capsys, monkeypatch):
+def test_the_table_shows_the_targets(capsys, monkeypatch):
     rows = [
         suite.Row("a", "kernel", 0.5, "s", target=1.0),
         suite.Row("b", "ratio", 30.0, "×", at_least=20.0),
@@ -150,7 +152,7 @@ def test_the_table_says_what_is_wanted(capsys, monkeypatch):
     assert endings["kernel"].endswith("≤ 1") and endings["ratio"].endswith("≥ 20") and endings["free"].endswith("MB")
 
 
-def test_the_quickest_turn_stands_beside_the_median(monkeypatch):
+def test_rows_have_median_and_quickest_round(monkeypatch):
     took = dict.fromkeys(suite._tasks(Path("unused")), [3.0, 1.0, 2.0]) | {"reference": [80.0, 50.0, 60.0]}
     monkeypatch.setattr(suite, "turns", lambda tasks, rounds: took)
     rows = {row.key: row for row in suite.run(3, fresh_processes=False)}

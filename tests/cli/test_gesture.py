@@ -1,4 +1,4 @@
-"""`vocalis gesture` in a process of its own: breakpoints as options, contours and files that say the same, refusals."""
+"""`vocalis gesture` as a process: breakpoints as options, contours, consistent files, refusals."""
 
 import csv
 import json
@@ -40,12 +40,12 @@ def test_the_document_holds_contours_and_a_measured_stretch_between_breakpoints(
     assert document["segments"][-1]["measures"]["fo_hz"]["value"] == pytest.approx(177.7, abs=1)
 
 
-def test_the_files_say_what_is_printed(finished):
+def test_the_files_hold_the_printed_values(finished):
     document, folder = finished
     with open(folder / "glide.csv", newline="") as file:
         rows = list(csv.DictReader(file))
-    said = document["contours"]["fo_hz"]["values"]
-    assert [None if row["fo_hz"] == "" else float(row["fo_hz"]) for row in rows] == said
+    printed = document["contours"]["fo_hz"]["values"]
+    assert [None if row["fo_hz"] == "" else float(row["fo_hz"]) for row in rows] == printed
     with xarray.open_dataset(folder / "glide.netcdf") as kept:
         assert kept["contour_fo_hz"].attrs["units"] == "Hz"
         assert kept["glottal_area_m2"].size == 28_000
@@ -55,7 +55,7 @@ def test_the_files_say_what_is_printed(finished):
         assert np.abs(np.frombuffer(file.readframes(48_000), "<i2")).max() > 20_000
 
 
-def test_what_was_printed_can_be_rendered_again_to_the_same_sound(finished, tmp_path):
+def test_the_printed_gesture_renders_to_the_same_sound(finished, tmp_path):
     document, folder = finished
     request = tmp_path / "recorded.json"
     request.write_text(json.dumps(document["provenance"]["request"]))
@@ -66,7 +66,7 @@ def test_what_was_printed_can_be_rendered_again_to_the_same_sound(finished, tmp_
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         (["--ct", "0:0.1,0:0.2"], "activation.ct.1.0"),
         (["--ct", "0:0.1,1:1.5"], "activation.ct.1.1"),
@@ -74,7 +74,7 @@ def test_what_was_printed_can_be_rendered_again_to_the_same_sound(finished, tmp_
         (["--wav", "/nowhere/at/all.wav"], "--wav"),
     ],
 )
-def test_what_cannot_be_done_is_said_in_one_line_by_its_place(arguments, said):
+def test_an_invalid_gesture_is_refused_in_one_line_that_names_the_field(arguments, message):
     done = vocalis("gesture", *arguments)
     assert done.returncode != 0 and done.stdout == ""
-    assert said in done.stderr and len(done.stderr.strip().splitlines()) == 1
+    assert message in done.stderr and len(done.stderr.strip().splitlines()) == 1

@@ -1,4 +1,4 @@
-"""Preset, request file, single options and --set make one request; the later one wins."""
+"""Preset, request file, single options and --set make one request; later ones override earlier ones."""
 
 import io
 import json
@@ -72,7 +72,7 @@ def test_a_file_and_standard_input_are_the_same(request_of, tmp_path, monkeypatc
     assert (from_file.activation.ct, from_file.activation.ta, from_file.vowel) == (0.9, 0.4, "u")
 
 
-def test_later_beats_earlier_and_leaves_the_rest(request_of, tmp_path):
+def test_later_sources_override_earlier_ones_and_keep_the_rest(request_of, tmp_path):
     path = tmp_path / "request.json"
     path.write_text(json.dumps({"activation": {"ta": 0.1, "ct": 0.1, "lca": 0.1}, "run": {"nx": 30}}))
     request = request_of(
@@ -113,7 +113,7 @@ def test_set_can_be_repeated(request_of):
 @pytest.mark.parametrize(
     ("command", "options"), [("posture", POSTURE_OPTIONS), ("static", SHAPE_OPTIONS), ("simulate", SIMULATE_OPTIONS)]
 )
-def test_help_teaches_every_option_with_its_range_and_unit(capsys, monkeypatch, command, options):
+def test_help_shows_every_option_with_its_range_and_unit(capsys, monkeypatch, command, options):
     monkeypatch.setenv("COLUMNS", "200")
     assert main([command, "--help"]) == 0
     shown = " ".join(capsys.readouterr().out.split())

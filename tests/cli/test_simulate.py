@@ -1,4 +1,4 @@
-"""`vocalis simulate` in a process of its own: the same numbers as Python, files that say the same, prompt help."""
+"""`vocalis simulate` as a process: the same numbers as in Python, consistent files, fast help."""
 
 import csv
 import json
@@ -49,7 +49,7 @@ def leaves(value, path=""):
 
 
 def test_json_is_the_answer_of_the_python_api(finished, result):
-    """To rounding: two processes that compile at the same time need not order their sums alike."""
+    """To rounding: two processes that compile at the same time may order sums differently."""
     printed = json.loads(finished[0].stdout, parse_constant=lambda name: pytest.fail(f"{name} is not JSON"))
     expected = json.loads(json.dumps(result_document(result)))
     for document in (printed, expected):
@@ -66,13 +66,13 @@ def test_json_is_the_answer_of_the_python_api(finished, result):
     assert printed[".phonation_state"] == "periodic"
 
 
-def test_nothing_but_the_files_is_reported_beside_json(finished):
+def test_only_the_files_are_reported_with_json(finished):
     assert [line.split()[0] for line in finished[0].stderr.splitlines() if line.startswith("wrote")] == ["wrote"] * 3
     assert "compiling" not in finished[0].stderr and "\x1b" not in finished[0].stderr
 
 
 def test_the_sound_has_the_reported_pitch(finished):
-    """By the autocorrelation of the written samples, not by the area that the product measures."""
+    """From the autocorrelation of the written samples, not from the area that vfcore measures."""
     with wave.open(str(finished[1] / "voice.wav")) as file:
         assert (file.getframerate(), file.getsampwidth(), file.getnchannels()) == (48000, 2, 1)
         samples = np.frombuffer(file.readframes(file.getnframes()), dtype="<i2").astype(float)
@@ -88,7 +88,7 @@ def test_the_sound_has_the_reported_pitch(finished):
     assert 48000 / period == pytest.approx(reported, rel=5e-3)
 
 
-def test_the_files_say_what_the_json_says(finished):
+def test_the_files_hold_the_values_of_the_json(finished):
     measures = json.loads(finished[0].stdout)["measures"]
     with xarray.open_dataset(finished[1] / "voice.netcdf", engine="h5netcdf") as stored:
         in_netcdf = {key: float(stored[f"measure_{key}"]) for key in measures}
@@ -114,7 +114,7 @@ def read_all(terminal: int, seen: bytearray) -> None:
         seen += block
 
 
-def test_a_terminal_sees_compiling_and_the_run():
+def test_a_terminal_shows_compilation_and_the_run():
     reader, terminal = pty.openpty()
     environment = os.environ | {"TERM": "xterm", "COLUMNS": "100"}
     process = subprocess.Popen(
@@ -122,7 +122,7 @@ def test_a_terminal_sees_compiling_and_the_run():
     )
     os.close(terminal)
     seen = bytearray()
-    # A terminal that nobody reads stops the writer.
+    # A terminal must be read, or the writer blocks.
     watching = threading.Thread(target=read_all, args=(reader, seen), daemon=True)
     watching.start()
     table, _ = process.communicate(timeout=120)
@@ -144,7 +144,7 @@ def test_help_comes_at_once():
 
 
 @pytest.mark.parametrize("arguments", [["--help"], ["posture"], ["posture", "--json"], ["posture", "--constants"]])
-def test_a_reader_that_leaves_is_no_traceback(arguments):
+def test_a_closed_pipe_gives_no_traceback(arguments):
     reader, writer = os.pipe()
     os.close(reader)
     buffered = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}

@@ -1,4 +1,4 @@
-"""`vocalis sweep` from the outside: axes, files, resuming, refusals."""
+"""`vocalis sweep` as a process: axes, files, resuming, refusals."""
 
 import json
 import re
@@ -31,7 +31,7 @@ def vocalis(*arguments, **options) -> subprocess.CompletedProcess:
         ("activation.lca,activation.ia=0.5", ["activation.lca", "activation.ia"], [0.5]),
     ],
 )
-def test_an_axis_says_what_a_person_would_write(text, parameter, values):
+def test_axis_values_are_rounded_as_a_person_would_write_them(text, parameter, values):
     assert axis(text) == {"parameter": parameter, "values": values}
 
 
@@ -59,7 +59,7 @@ def test_a_document_and_a_selection(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         ((), "--axis: is missing"),
         (("--axis", "activation.ct"), "'activation.ct' is not an axis"),
@@ -75,13 +75,15 @@ def test_a_document_and_a_selection(tmp_path):
         (("--axis", "activation.ct=1", "--scheduler", "tcp://127.0.0.1:9"), "--scheduler: tcp://127.0.0.1:9"),
     ],
 )
-def test_bad_input_is_one_clear_line_and_exit_code_2(arguments, said):
+def test_bad_input_is_one_clear_line_and_exit_code_2(arguments, message):
     ended = vocalis("sweep", *arguments)
     assert ended.returncode == 2
-    assert said in ended.stderr and ended.stderr.startswith("vocalis: ") and ended.stderr.count("\n") == 1, ended.stderr
+    assert message in ended.stderr and ended.stderr.startswith("vocalis: ") and ended.stderr.count("\n") == 1, (
+        ended.stderr
+    )
 
 
-def test_a_killed_sweep_goes_on_where_it_was(tmp_path):
+def test_a_killed_sweep_resumes(tmp_path):
     arguments = (
         "sweep",
         "--axis",

@@ -1,4 +1,4 @@
-"""Every example runs as a reader would run it: a saved file, in a folder of its own, in a new process."""
+"""Every example runs as a reader would run it: as a saved file, in a separate folder, in a new process."""
 
 import os
 import shutil
@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-#: Example: what it must print, and the files it must write.
+#: For each example, text that it must print and files that it must write.
 EXPECTED = {
     "commands.sh": (("periodic", "wrote high.wav"), ("high.wav", "high.nc", "bowed.json", "glide.wav", "map.nc")),
     "one_voice.py": (("CT 0.3: periodic", "fo_hz: 149.6 Hz", "flow: "), ()),

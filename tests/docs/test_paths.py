@@ -1,4 +1,4 @@
-"""Every file that a Markdown page names exists, and every link inside the repository leads somewhere."""
+"""Every file that a Markdown page names exists, and every link inside the repository has a target."""
 
 import re
 from pathlib import Path
@@ -83,7 +83,7 @@ def test_every_internal_link_of_a_page_resolves(name):
     assert broken_links(ROOT / name, text_of(ROOT / name)) == []
 
 
-def test_the_checks_find_what_is_missing(tmp_path):
+def test_the_checks_find_missing_targets(tmp_path):
     """A page with one wrong path, one wrong file, one wrong heading."""
     page = tmp_path / "page.md"
     page.write_text(

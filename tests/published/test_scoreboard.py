@@ -1,4 +1,4 @@
-"""The scores that hold: by running the model anew, and against what is shipped and printed in docs/scoreboard.md."""
+"""The scores of the claims: from new runs, compared with the shipped results and docs/scoreboard.md."""
 
 import os
 import re
@@ -17,12 +17,12 @@ from vocalis.studies.paper.run.gather import workers
 from vocalis.studies.paper.run.score import definitions_hash
 from vocalis.studies.paper.study.designed import changes
 
-#: What the variant "paper" has reached; a claim may get better, not worse, without a word here. P1 stands within one
-#: phase of the cycle of its bound, 75 %: it passed under model 4 and does not under 3 and 5.
+#: The verdicts of the variant "paper". A better verdict needs no change here, a worse one does. P1 is within one phase
+#: of the cycle of its bound of 75 %: it passed with model 4, but not with 3 and 5.
 PASSED = {"S1", "S2", "S5", "S6", *(f"M{k}" for k in range(1, 10)), "A2", "A3", "A4", "A5", "A6", "T1"}
 HELD = {"S3", "S4", "A1", "A7", "A8", "P1", "P2", "P4"}
 MANY_RUNS = {key for key, claim in CLAIMS.items() if {CASES[n].kind for n in claim.needs} & {"map", "sweep"}}
-#: Wall time is that of the machine.
+#: Wall time depends on the machine.
 QUICK = {key: CLAIMS[key] for key in CLAIMS if key not in MANY_RUNS and key != "T1"}
 AGAIN = "run `python -m vocalis.studies.paper.report.ship` and read what changed"
 
@@ -37,13 +37,13 @@ def printed(variant):
 
 
 @pytest.mark.parametrize("key", [key for key in QUICK if key in PASSED])
-def test_what_passed_passes_still(key):
+def test_passing_claims_still_pass(key):
     outcome = quick("paper")[key]
     assert outcome.verdict == "pass", outcome.sentence
 
 
 @pytest.mark.parametrize("key", [key for key in QUICK if key in HELD])
-def test_what_held_with_a_difference_holds_still(key):
+def test_deviating_claims_do_not_fail(key):
     outcome = quick("paper")[key]
     assert outcome.verdict != "fail", outcome.sentence
 
@@ -63,7 +63,7 @@ def test_the_shipped_verdicts_on_maps_and_sweeps_are_those_of_the_model(variant)
     assert {key: str(one.verdict) for key, one in scored.outcomes.items()} == {key: shown[key] for key in MANY_RUNS}
 
 
-def test_the_shipped_score_is_the_one_we_hold():
+def test_the_shipped_score_is_the_expected_one():
     verdicts = printed("paper")
     assert list(verdicts) == list(CLAIMS)
     assert PASSED <= {key for key, verdict in verdicts.items() if verdict == "pass"}
@@ -92,7 +92,7 @@ def test_the_page_shows_the_shipped_tables(path):
     assert filled(page, pages()[path]) == page, "run `python -m vocalis.studies.paper.report.ship --text`"
 
 
-def test_no_table_of_the_scoreboard_stands_without_its_maker():
+def test_every_table_of_the_scoreboard_has_a_generator():
     assert set(re.findall(r"<!-- table: (.+) -->", PAGE.read_text(encoding="utf-8"))) == set(pages()[PAGE])
 
 
@@ -101,8 +101,8 @@ def test_the_last_refinement_of_grid_and_step_is_within_the_bounds_set_beforehan
     assert len(found) == 9 and all(row["met"] for row in found)
 
 
-def test_no_open_choice_lets_more_claims_hold_than_the_default():
-    """What the page concludes from the study: fewer failures are to be had from no single choice, nor from a pair."""
+def test_no_open_choice_satisfies_more_claims_than_the_default():
+    """The conclusion of the page: no single choice and no pair has fewer failures."""
     default, *others = shipped(STUDY)["rows"]
     assert len(others) >= 40
     for row in others:

@@ -1,4 +1,4 @@
-"""The wheel alone, in an environment that has nothing else, serves the page: how Windows users start too."""
+"""The wheel, installed in an empty environment, serves the page; Windows users start it in the same way."""
 
 import json
 import os
@@ -75,7 +75,7 @@ def test_the_wheel_in_an_empty_environment_serves_the_page(wheel, tmp_path):
 
 
 def _the_first_map_compiles_nothing(address: str, kernels: Path) -> None:
-    """Behind a server that has started, what maps need is compiled before anybody asks for one."""
+    """After the start of the server, the kernels of maps are compiled before the first map is requested."""
     deadline = time.monotonic() + READY_WITHIN_S
     while not list(kernels.rglob("complete")):
         assert time.monotonic() < deadline, "not everything was compiled in time"

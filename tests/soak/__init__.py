@@ -1,1 +1,1 @@
-"""Load and violence: scripts that take minutes, and short versions of them in the normal suite."""
+"""Load and crash tests: scripts that take minutes, and short versions for the normal suite."""

@@ -1,4 +1,4 @@
-"""kill -9 again and again while jobs come in: is any lost, is any result damaged, is anything stored computed twice?
+"""Repeated kill -9 under load: counts lost jobs, damaged results, and stored points that were computed twice.
 
 ``python -m tests.soak.kill_nine --kills 30`` prints the figures as JSON and fails unless all three are 0.
 """
@@ -55,7 +55,7 @@ class Report:
 
 
 class Server:
-    """The server as a process that can be killed and started again on the same folder and port."""
+    """A server process that can be killed and restarted with the same folder and port."""
 
     def __init__(self, folder: Path):
         with socket.create_server(("127.0.0.1", 0)) as free:
@@ -78,7 +78,7 @@ class Server:
             time.sleep(0.05)
 
     def kill(self) -> None:
-        """kill -9, workers left to find out for themselves."""
+        """kill -9; the workers have to notice it."""
         self._process.kill()
         self._process.wait()
 
@@ -99,7 +99,7 @@ class Server:
 
 
 def soak(kills: int, seed: int = 1, seconds: tuple[float, float] = (0.3, 3.0)) -> Report:
-    """Kill the server ``kills`` times, each after a random while, and judge what is left."""
+    """Kill the server ``kills`` times after random delays, then check jobs and results."""
     report, began, chance = Report(), time.monotonic(), random.Random(seed)
     with tempfile.TemporaryDirectory(prefix="vocalis-soak-") as name:
         server = Server(Path(name) / "jobs")
@@ -157,7 +157,7 @@ _known: dict[str, dict] = {}
 
 
 def _is_true(result: dict, body: dict) -> bool:
-    """Whether a result is what the same request gives here, now."""
+    """Whether a result equals that of the same request computed here."""
     key = json.dumps(body, sort_keys=True)
     if key not in _known:
         if body.get("kind") == "sweep":
@@ -171,13 +171,15 @@ def _is_true(result: dict, body: dict) -> bool:
 
 
 def _same(one: dict, other: dict) -> bool:
-    """Values to nine digits: just compiled code and code from the cache round differently."""
+    """Compare to nine digits: newly compiled and cached code round differently."""
     values = [np.array(measure.get("values", measure.get("value")), float) for measure in (one, other)]
     return np.allclose(*values, rtol=ROUNDING, atol=0, equal_nan=True)
 
 
 def _count_points(report: Report, path: Path) -> None:
-    """``times`` counts how often a point was computed after it had been stored; the file has to be whole."""
+    """Counts points that were computed again after they had been stored (``times``); checks the integrity of the
+    file.
+    """
     with sqlite3.connect(path) as database:
         if database.execute("PRAGMA integrity_check").fetchone() != ("ok",):
             report.damaged += 1

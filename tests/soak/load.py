@@ -1,4 +1,4 @@
-"""Mixed load: single runs and overlapping sweeps, handed in without rest by a client that is cut off now and then."""
+"""Mixed load: single runs and overlapping sweeps, submitted continuously by a client that is sometimes disconnected."""
 
 import random
 import threading
@@ -10,7 +10,7 @@ import httpx
 
 
 class Load(threading.Thread):
-    """Hands in jobs without rest; what it got a 202 for is in ``accepted``."""
+    """Submits jobs continuously; ``accepted`` holds those with a 202 answer."""
 
     def __init__(self, client: httpx.Client, seed: int):
         super().__init__(daemon=True)
@@ -32,7 +32,7 @@ class Load(threading.Thread):
             self.end.wait(self._random.uniform(0.05, 0.4))
 
     def _hand_in(self, body: dict, key: str) -> dict | None:
-        """Until there is an answer: a client that was cut off asks again, with the same key."""
+        """Retry with the same key until there is an answer."""
         while not self.end.is_set():
             with suppress(httpx.TransportError):
                 answer = self._client.post("/jobs", json=body, headers={"Idempotency-Key": key})

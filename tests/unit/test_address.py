@@ -1,4 +1,4 @@
-"""One computation, one address: over every variant, posture set and coupling, with random numbers of a request."""
+"""Equal computations have equal addresses: random requests over all variants, posture sets and couplings."""
 
 import dataclasses
 import json
@@ -31,7 +31,7 @@ models = st.fixed_dictionaries({}, optional={name: st.sampled_from(options) for 
 
 
 def known_values(path: str) -> list[float]:
-    """Values that some variant or posture set has at a path: where mix-ups of defaults show."""
+    """Values that a variant or posture set has at a path, which reveal mixed-up defaults."""
     name = path.removeprefix("constants.")
     if path.startswith("constants."):
         requests = [resolve({"model": {"variant": v}}) for v in VARIANTS]
@@ -42,7 +42,7 @@ def known_values(path: str) -> list[float]:
 
 
 def constant(request: Simulation, name: str) -> float:
-    """One constant, looked up without the code under test."""
+    """One constant, found without the code under test."""
     for table in (request.larynx.fold, request.larynx.airways):
         if hasattr(table, name):
             return getattr(table, name)
@@ -72,11 +72,11 @@ def resolved(document: dict) -> Simulation | None:
     try:
         return resolve(document)
     except ParameterError:
-        return None  # numbers that do not go together
+        return None  # inconsistent numbers
 
 
 def meaning(request: Simulation) -> tuple:
-    """What a request resolves to, worked out without the code under test."""
+    """The values that a request resolves to, found without the code under test."""
     return (
         *(getattr(request.model, name) for name in ("coupling_gradient", "shear", "coupling")),
         *(constant(request, name) for name in CONSTANTS),
@@ -94,7 +94,7 @@ def test_two_requests_have_one_address_exactly_when_they_compute_the_same(model,
 
 @given(models, patches)
 def test_naming_a_default_changes_nothing(model, patch):
-    """What a request resolves to, spelled out in full, is the same computation."""
+    """A request with all its resolved values is the same computation."""
     request = resolved(asking(patch, model))
     if request is None:
         return
@@ -128,7 +128,7 @@ def test_a_point_of_a_sweep_has_the_computation_and_address_of_its_own_request(m
 
 
 @given(models, patches, patches)
-def test_every_way_to_a_request_leads_to_the_same_one(model, base, patch):
+def test_every_form_of_a_request_gives_the_same_request(model, base, patch):
     """Document, patch, patch on a request, shortest patch, complete document: one request."""
     asked = asking(base | patch, model)
     request, start = resolved(asked), resolved(asking(base, model))
@@ -149,7 +149,7 @@ def test_every_way_to_a_request_leads_to_the_same_one(model, base, patch):
 
 
 @given(models, patches)
-def test_the_shortest_patch_names_nothing_that_the_variant_brings(model, patch):
+def test_the_shortest_patch_omits_the_choices_of_the_variant(model, patch):
     request = resolved(asking(patch, model))
     if request is None:
         return

@@ -16,7 +16,7 @@ def tone(frequency, rate, seconds=0.25):
 
 
 def fitted(audio, frequency):
-    """Complex amplitude of a tone in the middle half, and the largest leftover there."""
+    """Complex amplitude of a tone in the middle half, and the largest residual there."""
     middle = np.arange(audio.size // 4, 3 * audio.size // 4)
     window = np.blackman(middle.size)
     phase = 2 * np.pi * frequency * middle / AUDIO_RATE_HZ
@@ -35,7 +35,7 @@ def test_pass_band_keeps_level_and_time_and_makes_no_images(rate, fraction):
 
 
 def test_the_clock_does_not_drift_over_a_long_run():
-    rate = 33_333.3  # a hair off 100/3 kHz: 36/25 would be 1e-6 too fast
+    rate = 33_333.3  # slightly off 100/3 kHz: a ratio of 36/25 would be 1e-6 too fast
     amplitude, _ = fitted(render(tone(10_000.0, rate, seconds=4.0), rate), 10_000.0)
     assert abs(amplitude - 1) < 0.00115
 

@@ -1,4 +1,4 @@
-"""The sound file: read back by another reader, level, fades, silence, and no clipping in silence."""
+"""The sound file, read back by another library: level, fades, silence, and no silent clipping."""
 
 import io
 

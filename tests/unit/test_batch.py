@@ -1,4 +1,4 @@
-"""Many simulations at once: the same numbers as one at a time, and one failure leaves the others alone."""
+"""Many simulations at once: the same numbers as one at a time, and a failure does not affect the others."""
 
 import dataclasses
 
@@ -53,7 +53,7 @@ def test_a_point_does_not_depend_on_its_neighbours(precision):
 
 
 @pytest.mark.parametrize("precision", ["float64", "float32"])
-def test_what_is_left_out_of_the_record_changes_no_measure(precision, monkeypatch):
+def test_a_shortened_record_changes_no_measure(precision, monkeypatch):
     """But by rounding, as instants are counted from another sample; in every state, and for tracts that ring longer."""
     postures = [vfcore.Activation(ta=0.2 * k, ct=0.1, lca=0.5, ia=0.5) for k in range(6)]
     requests = [vfcore.Simulation(activation=posture, vowel=vowel) for posture in postures for vowel in "ai"]
@@ -83,13 +83,13 @@ def test_a_measure_has_the_same_value_whatever_else_is_wanted():
         assert one.report.state == whole.report.state
 
 
-def test_single_precision_hears_the_same_voice():
+def test_single_precision_gives_the_same_voice():
     (double,), (single,) = run_points([_short()]), run_points([_short()], precision="float32")
     assert single.report.measures["fo_hz"].value == pytest.approx(double.report.measures["fo_hz"].value, rel=1e-3)
     assert single.report.measures != double.report.measures
 
 
-def test_a_failing_point_carries_its_reason_and_stops_nobody_else():
+def test_a_failing_point_has_its_reason_and_does_not_stop_the_others():
     too_long = dataclasses.replace(_short(), run=vfcore.Run(duration_s=0.4, time_step_s=1e-3))
     sound, broken, other = run_points([_short(), too_long, HIGH])
     assert isinstance(broken, StabilityError)
@@ -98,7 +98,7 @@ def test_a_failing_point_carries_its_reason_and_stops_nobody_else():
 
 
 @pytest.mark.parametrize("precision", ["float64", "float32"])
-def test_a_flow_that_is_no_number_leaves_its_neighbours_alone(precision, monkeypatch):
+def test_a_flow_of_nan_does_not_change_other_points(precision, monkeypatch):
     requests = [_short(), HIGH, _short(vowel="i")]
     expected = list(run_points(requests, precision=precision))
 
@@ -122,7 +122,7 @@ def test_a_stop_ends_it(coupling):
 
 
 @pytest.mark.parametrize("wrong", [{"measures": ["pitch"]}, {"precision": "float16"}])
-def test_what_is_not_known_is_refused_by_name(wrong):
+def test_unknown_names_are_refused_by_name(wrong):
     with pytest.raises(ParameterError, match=next(iter(wrong))):
         run_points([_short()], **wrong)
 

@@ -1,4 +1,4 @@
-"""Every claim on made-up results that hold, deviate and miss. Longer than other files: a table of 29 claims."""
+"""Every claim on synthetic results that pass, deviate and fail."""
 
 from dataclasses import replace
 
@@ -99,7 +99,7 @@ def many(column_shape):
 
 
 def sawtooth(steps, back):
-    """0 to 1 in rising steps, some of which (``back``) go the other way."""
+    """0 to 1 in rising steps, of which ``back`` fall."""
     return (steps - 1.5 * sum((steps >= k).astype(float) for k in back)) / 20
 
 
@@ -206,7 +206,7 @@ def test_claim_passes_deviates_and_fails(key, given, verdict):
 
 
 HIGH_MODES = voice_of(MODAL + 0.5 * MM * SWAY, contact=touching([0.2, 0.5, 0.2]))
-# One way to miss for each part of a claim that the table above does not break alone.
+# One failure for each part of a claim that the table above does not break on its own.
 OTHERS = {
     "no gap to close": ("S1", series(), "fail"),
     "never closed behind": ("S2", series(half_gap=lambda a: MM, superior=lambda a: BOW_IN_FRONT), "fail"),

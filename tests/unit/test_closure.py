@@ -1,4 +1,4 @@
-"""Closure patterns on drawn gaps, and on postures whose pattern the clinic knows."""
+"""Closure patterns of synthetic gaps, and of postures with a clinically known pattern."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ DRAWN = {
 
 
 @pytest.mark.parametrize("pattern", PATTERNS)
-def test_each_pattern_is_known_by_its_drawing(pattern):
+def test_each_pattern_is_recognised(pattern):
     assert shape_of(DRAWN[pattern]).pattern == pattern
 
 
@@ -48,7 +48,7 @@ def test_the_commissure_is_closed_in_every_larynx_and_does_not_count():
 
 
 @pytest.mark.parametrize("at", [1, 20, 39])
-def test_a_speck_is_no_region(at):
+def test_a_single_node_is_not_a_region(at):
     touching, apart = np.full(41, OPEN_M), np.zeros(41)
     touching[at : at + 2] = 0
     apart[at : at + 2] = OPEN_M

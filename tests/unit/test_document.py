@@ -1,4 +1,4 @@
-"""Documents are the outside contract: these keys, plain numbers, null with a reason, strict JSON."""
+"""Documents keep their contract: keys, plain numbers, null with a reason, strict JSON."""
 
 import dataclasses
 import json
@@ -37,14 +37,14 @@ def test_posture_answers_with_the_keys_of_the_contract():
         "closure_pattern",
     }  # fmt: skip
     assert document["null_reasons"] == {}
-    # hand values of the paper's formulas at this posture
+    # values of the paper's formulas at this posture, computed by hand
     assert document["posture"]["strain"] == pytest.approx(0.057, abs=5e-4)
     assert document["coefficients"]["membrane_tension_n_m"] == pytest.approx(7.25, rel=2e-3)
     assert document["coefficients"]["beam_tension_n"] == pytest.approx(1.86, rel=2e-3)
 
 
 def test_edges_of_the_static_shape_are_superior_first():
-    """Under TA the inferior edge leads; the medial plane converges, so it lies farther out at the inferior edge."""
+    """With TA the inferior edge leads. The medial plane converges, so it is more lateral at the inferior edge."""
     request = Simulation(activation=Activation(lca=0.5, ia=0.5, ct=0.1, ta=0.6), convergence_angle_rad=0.05)
     prepared = prepare(request)
     shape = posture_document(prepared)["static_shape"]
@@ -74,7 +74,7 @@ def test_the_provenance_is_enough_to_run_it_again(modal):
     assert provenance["time_step_s"] == pytest.approx(0.0025 / 350 * 5)
 
 
-def test_what_is_missing_says_why():
+def test_missing_values_have_a_reason():
     document = result_document(simulate(SILENT))
     assert document["phonation_state"] == "none" and document["periodicity"] is None
     assert document["null_reasons"]["periodicity"] == document["explanation"]
@@ -106,6 +106,6 @@ def test_a_given_posture_is_a_posture_too():
     assert posture["length_m"] == pytest.approx(0.018) and posture["converged"] is True
 
 
-def test_json_refuses_what_is_not_json():
+def test_values_that_are_not_json_are_refused():
     with pytest.raises(ValueError):
         json_text({"value": math.nan})

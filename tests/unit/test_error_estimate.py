@@ -35,7 +35,7 @@ def test_a_manufactured_order_is_found_and_the_bar_is_the_error_times_its_factor
     assert bar.half_width == pytest.approx(1.25 * abs(size), rel=1e-6)
 
 
-def test_an_order_above_that_of_the_scheme_is_not_believed():
+def test_an_order_above_that_of_the_scheme_is_limited():
     bar = bar_of([150.0 + h**4 for h in (1.0, 2 / 3, 0.5)])
     assert bar.order == 2.0 and bar.half_width > 1.25
 
@@ -59,7 +59,7 @@ def test_there_is_no_bar_without_a_reason(values, states, why):
     assert (bar.half_width, bar.limit, bar.order) == (None, None, None) and why in bar.reason
 
 
-def test_what_no_grid_changes_has_no_error():
+def test_a_value_equal_on_all_grids_has_no_error():
     bar = bar_of([0.057, 0.057, 0.057])
     assert (bar.half_width, bar.limit, bar.reason) == (0.0, 0.057, None)
 
@@ -79,7 +79,7 @@ def test_a_grid_too_fine_to_be_refined_is_refused_with_the_finest_that_would_do(
     companions(Simulation(run=Run(nx=100, ny=50, error_estimate=True)))
 
 
-def test_only_a_run_that_asks_for_bars_has_them_and_they_leave_the_run_alone():
+def test_error_bars_are_optional_and_do_not_change_the_run():
     short = Run(duration_s=0.2)
     alone = simulate(Simulation(run=short))
     fractions = []

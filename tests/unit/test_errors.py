@@ -1,4 +1,4 @@
-"""Errors travel between processes: every one arrives as the same class, with its sentence and its attributes."""
+"""Errors are pickled between processes: class, message and attributes survive."""
 
 import copy
 import importlib
@@ -38,12 +38,12 @@ def _same(one: VocalisError, other: VocalisError) -> bool:
 
 @pytest.mark.parametrize("error", MADE, ids=lambda error: type(error).__name__)
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
-def test_an_error_arrives_as_it_left(error, protocol):
+def test_an_error_survives_pickling(error, protocol):
     assert vars(error) or isinstance(error, Cancelled)
     assert _same(pickle.loads(pickle.dumps(error, protocol)), error)
 
 
-def test_every_kind_of_error_arrives_with_whatever_it_carries():
+def test_every_kind_of_error_keeps_its_attributes():
     kinds = _every_kind()
     assert len(kinds) > 8
     for kind in kinds:

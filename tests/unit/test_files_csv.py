@@ -1,4 +1,4 @@
-"""The CSV of a run: every measure once, exact numbers, reasons for the missing."""
+"""The CSV of a run: every measure once, exact numbers, reasons for missing values."""
 
 import csv
 import io
@@ -31,5 +31,5 @@ def test_it_reads_back_exactly(result):
             assert float(row["value"]) == measure.value and row["reason"] == ""
 
 
-def test_the_header_is_the_promised_one(result):
+def test_the_header_is_the_documented_one(result):
     assert csv_text(result).splitlines()[0] == "key,symbol,name,value,unit,reason" == ",".join(COLUMNS)

@@ -1,4 +1,4 @@
-"""A netCDF file holds the whole result with units, for any netCDF reader, and appears whole or not at all."""
+"""A netCDF file holds the whole result with units, for any netCDF reader, and is written atomically."""
 
 import io
 import json
@@ -71,7 +71,7 @@ def test_posture_and_coefficients_carry_their_units(dataset, result):
     assert dataset["coefficient_membrane_tension_n_m"].attrs["units"] == "N m-1"
 
 
-def test_the_file_says_what_it_is_and_how_to_make_it_again(dataset, result):
+def test_the_file_describes_itself_and_can_be_reproduced(dataset, result):
     assert resolve(request_of(dataset.attrs)) == result.request
     assert dataset.attrs["phonation_state"] == result.report.state
     for name in ("model_version", "code_version", "numba_version", "created", "time_step_s", "sample_rate_hz"):
@@ -84,7 +84,7 @@ def test_the_bytes_are_the_same_file(dataset, result):
         assert opened.equals(dataset) and opened.attrs == dataset.attrs
 
 
-def test_nothing_phonating_still_makes_a_file(tmp_path):
+def test_a_run_without_phonation_can_be_written(tmp_path):
     silent = simulate(Simulation(activation=Activation(pca=1.0), subglottal_pressure_pa=50.0, run=Run(duration_s=0.05)))
     write_netcdf(silent, tmp_path / "silent.nc")
     with xarray.open_dataset(tmp_path / "silent.nc", engine="h5netcdf") as opened:

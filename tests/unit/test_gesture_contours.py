@@ -1,4 +1,4 @@
-"""f_o and level of short windows: exact on waves that are known, nothing where there is nothing."""
+"""f_o and level of short windows: exact on known waves, NaN without vibration or sound."""
 
 from functools import partial
 

@@ -1,4 +1,4 @@
-"""Breakpoints: straight lines between them, refused with a path, and the same document out as in."""
+"""Breakpoints: linear interpolation, refusals with a path, and a document round trip."""
 
 import pytest
 from hypothesis import given
@@ -22,7 +22,7 @@ def test_never_beyond_its_own_values(values, time):
 
 
 @pytest.mark.parametrize(
-    "document, path, said",
+    "document, path, message",
     [
         ({"activation": {"ct": [[0, 0.1], [0, 0.2]]}}, "activation.ct.1.0", "is not after"),
         ({"activation": {"ct": [[0, 0.1], [1, 1.2]]}}, "activation.ct.1.1", "out of range"),
@@ -34,11 +34,11 @@ def test_never_beyond_its_own_values(values, time):
         ({"constants": {"K_col_pa_m": [[0, 1e6], [1, 1.0]]}}, "constants.K_col_pa_m.1.1", "out of range"),
     ],
 )
-def test_a_bad_breakpoint_is_refused_by_its_place(document, path, said):
+def test_a_bad_breakpoint_is_refused_by_its_path(document, path, message):
     with pytest.raises(ParameterError) as caught:
         gesture_from_dict(document)
     assert caught.value.path == path
-    assert said in caught.value.message
+    assert message in caught.value.message
 
 
 def test_a_posture_moves_only_where_there_is_one():

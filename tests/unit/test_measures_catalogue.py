@@ -1,4 +1,6 @@
-"""The catalogue: every measure there, described, given a value or a reason; and the call fast enough to be live."""
+"""The catalogue: every measure is present, described, and has a value or a reason; the call is fast enough for live
+use.
+"""
 
 import json
 import math
@@ -35,7 +37,7 @@ def test_every_measure_of_the_contract_is_in_the_catalogue():
     assert set(CATALOGUE.keys()) >= KEYS
 
 
-def test_every_row_says_what_it_is():
+def test_every_row_is_described():
     for row in CATALOGUE.as_rows():
         for column in (
             "key",
@@ -91,12 +93,12 @@ def test_every_measure_has_a_finite_value_or_a_sentence(state):
     ("irregular", {"h1_h2_flow_db", "h1_h2_sound_db"}),
     ("none", set(CATALOGUE.keys()) - STEADY),
 ])  # fmt: skip
-def test_what_a_state_leaves_without_a_value(state, missing):
+def test_measures_without_a_value_by_state(state, missing):
     measures = measure_all(signals_from(VOICES[state])).measures
     assert {key for key, measure in measures.items() if measure.value is None} == missing
 
 
-def test_without_phonation_every_reason_says_so():
+def test_without_phonation_every_reason_names_it():
     report = measure_all(signals_from(VOICES["none"]))
     assert report.measures["fo_hz"].reason == report.measures["spl_30cm_db"].reason == report.explanation
 

@@ -125,13 +125,13 @@ def test_noise_counts_by_the_same_bound(noise, state):
     (T > 0.6, "still building up"),
     (T > 0.8, "still building up"),
 ])  # fmt: skip
-def test_what_dies_out_or_still_grows_is_no_sustained_phonation(fo_hz, envelope, word):
+def test_decaying_or_growing_vibration_is_not_sustained_phonation(fo_hz, envelope, word):
     result = report(pulses(fo_hz) * envelope)
     assert result.state == "none"
     assert word in result.explanation
 
 
-def test_a_ringing_around_an_open_glottis_is_no_phonation():
+def test_ringing_around_an_open_glottis_is_not_phonation():
     result = report((3 + 30 * np.exp(-T / 0.15) * np.sin(2 * np.pi * 140 * T)).clip(0) * MM2)
     assert result.state == "none"
     assert "dies out" in result.explanation
@@ -150,7 +150,7 @@ def test_a_wave_that_has_come_down_to_a_plateau_is_periodic(fo_hz):
     (5 * MM2 * (1 + T), "does not vibrate"),
     (5 * MM2 * np.random.default_rng(0).random(len(T)), "does not vibrate"),
 ], ids=["closed", "open", "tiny", "shallow", "drift", "hiss"])  # fmt: skip
-def test_silence_is_named(area, word):
+def test_silence_has_its_own_explanation(area, word):
     result = report(area)
     assert result.state == "none"
     assert result.periodicity is None
@@ -159,7 +159,7 @@ def test_silence_is_named(area, word):
     assert word in result.explanation
 
 
-def test_a_swing_just_audible_is_phonation():
+def test_a_just_audible_vibration_is_phonation():
     assert report((1 + 0.06 * np.sin(2 * np.pi * 150 * T)) * MM2).state == "periodic"
 
 
@@ -186,8 +186,10 @@ def test_the_vertex_of_a_nearly_straight_rise_is_kept_at_half_a_sample():
     assert height == pytest.approx(0.25)
 
 
-def test_several_waves_side_by_side_repeat_as_each_alone():
-    """In double precision bit for bit; in single r to a few times its rounding, and the period far beyond a sample."""
+def test_several_waves_at_once_repeat_like_each_alone():
+    """Bit for bit in double precision; in single precision r to a few roundings, the period to much less than a
+    sample.
+    """
     waves = np.stack([pulses(fo_hz)[:9001] for fo_hz in (97.3, 149.6, 371.0, 499.7)])
     single = autocorrelations(waves.astype(np.float32))
     for wave, double, coarse in zip(waves, autocorrelations(waves), single, strict=True):

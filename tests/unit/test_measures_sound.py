@@ -1,4 +1,4 @@
-"""Level, efficiency, harmonics, cepstral peak and perturbation on sounds made for it."""
+"""Level, efficiency, harmonics, cepstral peak and perturbation of synthetic sounds."""
 
 import numpy as np
 import pytest

@@ -1,11 +1,11 @@
-"""Memory of one batch serves the next."""
+"""The memory of a batch is reused by the next."""
 
 import subprocess
 import sys
 
 import pytest
 
-# In a process of its own: what another test has freed or kept would count otherwise.
+# In a separate process, because memory of other tests would count as well.
 _SCRIPT = """
 import resource
 from vfcore.runs.many import run_points
@@ -22,7 +22,7 @@ print(faults())
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a matter of the GNU C library")
-def test_batches_after_the_first_need_hardly_a_new_page():
+def test_batches_after_the_first_reuse_memory():
     """Two batches have records and flows of 13 MB, or 3,200 pages."""
     done = subprocess.run([sys.executable, "-c", _SCRIPT], check=True, capture_output=True, text=True)
     assert int(done.stdout) < 160

@@ -1,4 +1,4 @@
-"""A new optional part of a request costs one declaration: everything else follows it."""
+"""A new optional part of a request needs only one declaration."""
 
 import subprocess
 import sys
@@ -61,6 +61,6 @@ print("one declaration")
 """
 
 
-def test_one_declaration_brings_an_optional_part_into_every_form_of_a_request():
+def test_one_declaration_adds_an_optional_part_to_every_form_of_a_request():
     ended = subprocess.run([sys.executable, "-c", DECLARE_AND_TRY], capture_output=True, text=True)
     assert ended.stdout == "one declaration\n", ended.stderr

@@ -1,4 +1,4 @@
-"""The norms: how a number is judged, how flow is measured, what the command and docs/human.md say."""
+"""The norms: judging of a number, measuring of flow, the command, and docs/human.md."""
 
 import json
 from dataclasses import asdict
@@ -35,7 +35,7 @@ def test_fifteen_norms_of_normal_effort_each_with_source_and_range():
         assert norm.low < norm.high and norm.unit and len(norm.source) > 10 and norm.measured
 
 
-def test_a_number_in_range_passes_and_one_beyond_says_by_how_much():
+def test_a_number_in_range_passes_and_one_outside_has_its_distance():
     norm = NORMS["fo"]
     assert judge(norm, norm.high)[0] == "pass"
     assert judge(norm, norm.high + 12.0) == ("deviation", "+12 Hz")
@@ -55,7 +55,7 @@ def test_flow_of_a_pulse_train_is_measured_cycle_by_cycle():
     )
 
 
-def test_a_mask_does_not_see_the_fastest_fall():
+def test_a_mask_smooths_the_fastest_fall():
     wave = np.sin(2 * np.pi * 100 * np.arange(17500) / RATE) + 0.2 * np.sin(2 * np.pi * 4000 * np.arange(17500) / RATE)
     assert flow_measures(wave * 1e-4, RATE, 100.0).mfdr_l_s2 == pytest.approx(2 * np.pi * 100 * 0.1, rel=0.03)
 
@@ -89,7 +89,7 @@ def test_a_variant_and_overrides_survive_the_round_trip_of_a_request():
 
 
 def test_the_human_voice_meets_the_norms_it_is_shipped_with():
-    """At least 12 of 15, and the shipped numbers, on this machine."""
+    """At least 12 of 15 norms, and the shipped numbers, on this machine."""
     found = score_variant("human", None, InlinePool())
     kept = DOCUMENTS["norms"]["columns"]["human, two_way"]
     assert found["in_range"] >= 12
@@ -112,7 +112,7 @@ def candidate(in_range: int, verdicts: str, distance: float = 1.0, numbers: str 
     return Candidate({}, {}, {"in_range": in_range}, distance, claims, REFERENCE)
 
 
-def test_the_rule_asks_for_norms_then_what_is_lost_then_what_is_kept_then_more_norms():
+def test_the_rule_ranks_by_norms_then_claims_lost_then_claims_kept_then_more_norms():
     order = [
         candidate(12, "pppp"), candidate(13, "pppf"), candidate(12, "pppf", 0.5, "ff"), candidate(12, "pppf", 0.6),
         candidate(15, "pdpf"), candidate(15, "pdff"), candidate(11, "pppp"), candidate(9, "pppp", 0.1),
@@ -121,13 +121,13 @@ def test_the_rule_asks_for_norms_then_what_is_lost_then_what_is_kept_then_more_n
     assert sorted(mixed, key=lambda one: one.rank) == order
 
 
-def test_the_front_holds_what_nothing_beats_once():
+def test_the_front_holds_each_undominated_candidate_once():
     best = [candidate(14, "ddpf"), candidate(13, "pdpf"), candidate(12, "pppf")]
     beaten = [candidate(12, "pdpf"), candidate(11, "pppf"), candidate(13, "pddf"), candidate(12, "pppf")]
     assert front([*best, *beaten]) == best
 
 
-def test_a_set_tried_is_a_rounded_one_in_the_box_and_leaves_the_posture_alone():
+def test_sets_are_rounded_within_bounds_and_do_not_change_the_posture():
     first, second = (factors.sample(8, seed) for seed in (1, 1))
     assert (first == second).all() and first.shape == (8, len(factors.FACTORS))
     for point in first:
@@ -162,7 +162,7 @@ def test_the_numbers_that_guide_the_search_are_parts_of_their_claims():
 
 
 class Bowl(NamedTuple):
-    """A trial of a function whose minimum is known."""
+    """A trial of a function with a known minimum."""
 
     total: float
 
@@ -204,14 +204,14 @@ def test_the_variant_and_the_posture_of_the_norms_are_what_the_study_adopts():
 
 
 def test_human_keeps_the_shapes_and_maps_that_its_coupling_leaves_the_paper():
-    """Shapes, closure patterns and maps: none worse than with the paper's own constants under two-way coupling."""
+    """No claim on shapes, closure patterns and maps is worse than with the paper's constants and two-way coupling."""
     human, paper = (DOCUMENTS["claims"]["columns"][f"{name}, two_way"]["outcomes"] for name in ("human", "paper"))
     rank = {"pass": 0, "deviation": 1, "fail": 2}
     lost = [key for key in HELD if rank[human[key]["verdict"]] > rank[paper[key]["verdict"]]]
     assert lost == [] and human["A4"]["verdict"] == "pass"
 
 
-def test_docs_say_what_is_shipped_and_it_belongs_to_this_model():
+def test_docs_show_the_shipped_results_of_this_model():
     for path, by_name in pages().items():
         text = path.read_text(encoding="utf-8")
         assert filled(text, by_name) == text, "run `python -m vocalis.studies.norms.ship --text`"
@@ -231,7 +231,7 @@ def test_docs_say_what_is_shipped_and_it_belongs_to_this_model():
         ("--json /no/such/folder/n.json", "--json", "existing folder"),
     ],
 )
-def test_what_cannot_be_used_ends_with_one_line_before_any_run(arguments, named, allowed, capsys):
+def test_invalid_input_ends_with_one_line_before_any_run(arguments, named, allowed, capsys):
     assert main(["norms", *arguments.split()]) == 2
     line = capsys.readouterr().err
     assert named in line and allowed in line and line.count("\n") == 1

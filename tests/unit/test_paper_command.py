@@ -1,4 +1,4 @@
-"""`vocalis paper` from the outside."""
+"""`vocalis paper` as a command."""
 
 import json
 
@@ -21,8 +21,8 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("arguments", "named", "allowed"), REFUSED, ids=[row[0] for row in REFUSED])
-def test_what_cannot_be_used_ends_with_one_line_before_any_run(arguments, named, allowed, capsys, monkeypatch):
-    monkeypatch.setattr(paper, "score_variant", lambda *_: pytest.fail("a run was begun"))
+def test_invalid_input_ends_with_one_line_before_any_run(arguments, named, allowed, capsys, monkeypatch):
+    monkeypatch.setattr(paper, "score_variant", lambda *_: pytest.fail("a run was started"))
     assert main(["paper", *arguments.split()]) == 2
     line = capsys.readouterr().err
     assert named in line and allowed in line and line.count("\n") == 1

@@ -1,4 +1,4 @@
-"""The figures that the page ships: of this model, of these definitions, complete, and equal to what the model says."""
+"""The figures that the page ships: current, complete, and equal to the results of the model."""
 
 import json
 
@@ -26,7 +26,7 @@ def test_they_are_of_this_model_and_these_definitions(paper):
     assert FIGURES.stat().st_size < MOST_BYTES
 
 
-def test_they_tell_the_verdicts_of_the_shipped_scoreboard(paper):
+def test_they_have_the_verdicts_of_the_shipped_scoreboard(paper):
     assert paper["claims"] == claims(shipped(SCOREBOARD)), "run `python -m vocalis.studies.paper.figures.ship --claims`"
     assert [claim["key"] for claim in paper["claims"]] == list(CLAIMS)
 

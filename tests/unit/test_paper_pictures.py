@@ -1,4 +1,4 @@
-"""Pictures draw what is there, and name what is not."""
+"""Pictures draw the values that exist and label those that are missing."""
 
 import xml.etree.ElementTree as ET
 
@@ -56,7 +56,7 @@ def test_cells_without_phonation_are_drawn_in_their_own_colour_and_counted():
     assert f"no phonation: {silent} cells" in words(plot) and f"phonates: {441 - silent} of 441" in words(plot)
 
 
-def test_failed_weak_and_irregular_cells_are_told_apart():
+def test_failed_weak_and_irregular_cells_are_distinguished():
     state = states(TA > 0.9, "failed")
     state[0] = "irregular"
     level = np.where(CT > 0.96, 60.0, 130.0)
@@ -65,13 +65,13 @@ def test_failed_weak_and_irregular_cells_are_told_apart():
     assert "repeats, but too weak for voice: 19 cells" in text
 
 
-def test_f_o_leaves_subharmonic_cells_out_and_says_so():
+def test_f_o_excludes_and_labels_subharmonic_cells():
     maps = activation_map(state=states(TA > 0.9, "subharmonic"))
     assert "subharmonic: f_o not judged: 42 cells" in words(figure(CLAIMS["A1"], {"ct_ta_map": maps}).plot)
     assert "subharmonic" not in words(figure(CLAIMS["A6"], {"ct_ta_map": maps}).plot)
 
 
-def test_a_map_without_a_single_voice_is_still_a_picture():
+def test_a_map_without_voiced_cells_is_still_drawn():
     silent = activation_map(state=states(TA >= 0, "none"))
     assert "no phonation: 441 cells" in words(figure(CLAIMS["A8"], {"ct_ta_map": silent}).plot)
 

@@ -1,4 +1,4 @@
-"""The report holds every claim, its verdicts and pictures, and asks nothing of the network."""
+"""The report holds every claim, its verdicts and pictures, and loads nothing from the network."""
 
 import json
 import re
@@ -61,7 +61,7 @@ def text(document, scored):
     return html_report(document, scored)
 
 
-def test_every_claim_stands_there_once_with_a_verdict_for_each_variant(text, document):
+def test_every_claim_appears_once_with_a_verdict_for_each_variant(text, document):
     page = Page(text)
     assert [name for name in page.ids if name in CLAIMS] == list(CLAIMS)
     for key in CLAIMS:
@@ -78,7 +78,7 @@ def test_nothing_is_fetched_from_anywhere(text):
     assert not re.search(r"https?:|@import|url\(", text)
 
 
-def test_a_shared_picture_is_drawn_once_and_its_uses_find_it(text):
+def test_a_shared_picture_is_drawn_once_and_referenced(text):
     page = Page(text)
     assert page.uses and set(page.uses) <= set(page.ids)
     assert len(page.ids) == len(set(page.ids))
@@ -88,7 +88,7 @@ def test_it_is_readable_in_the_dark_and_on_paper(text):
     assert "prefers-color-scheme:dark" in text and "@media print" in text
 
 
-def test_a_lost_run_is_counted_and_named_and_cannot_break_the_page(text, document):
+def test_a_failed_run_is_counted_and_named_and_cannot_break_the_page(text, document):
     assert document["variants"]["text_literal"]["failed_runs"][0]["case"] == "pca_full"
     assert document["variants"]["text_literal"]["outcomes"]["P4"]["verdict"] == "fail"
     assert "the run diverged at &lt;t = 3 ms&gt;" in text and "<t = 3 ms>" not in text
@@ -105,7 +105,7 @@ def test_the_document_is_strict_json_with_its_provenance(document):
     assert paper["states"]["ct_ta_map"] == {"periodic": 441}
 
 
-def test_what_has_no_value_is_null_and_numbers_keep_six_figures():
+def test_missing_values_are_null_and_numbers_keep_six_figures():
     fo = np.full((21, 21), 1000 / 7)
     fo[3, 4] = np.nan
     found = EVIDENCE | {"ct_ta_map": activation_map(fo_hz=fo), "modal": voice_of(wave(), speed_quotient=np.nan)}

@@ -34,7 +34,7 @@ def test_a_run_without_an_answer_is_a_cell_of_the_map_and_a_line_of_the_record()
     assert activation == "TA 0.1, CT 0.3, LCA 0.6, IA 0.6, PCA 0" and "run.time_step_s" in reason
 
 
-def test_the_other_runs_of_a_map_go_on():
+def test_the_other_runs_of_a_map_continue():
     cases = small("ct_ta_map", (0.3,), (0.2, 0.4))
     requests = cases["ct_ta_map"].requests()
     one_bad = type("Case", (), {"kind": "map", "axes": cases["ct_ta_map"].axes})()
@@ -44,8 +44,8 @@ def test_the_other_runs_of_a_map_go_on():
     assert len(gathered.failures) == 1
 
 
-def test_the_same_evidence_comes_of_runs_in_this_process():
-    """To 1e-5: side by side, runs round otherwise than one by one, and those of 0.3 s are hardly settled."""
+def test_runs_in_this_process_give_the_same_evidence():
+    """To 1e-5: batches round differently from single runs, and runs of 0.3 s have hardly settled."""
     cases = small("ct_ta_map", (0.3, 0.6), (0.2, 0.4)) | small("pca_sweep", (0.0, 0.5))
     cases |= {"modal": replace(CASES["modal"], base=SHORT)} | small("static_ct", (0.0, 0.5))
     here, there = gather_here(cases), gather(cases, InlinePool()).evidence
@@ -93,7 +93,7 @@ def test_progress_counts_every_run_once():
     assert seen == [("pca_sweep", 1, 2), ("pca_sweep", 2, 2)] and pool.calls == 2
 
 
-def test_only_the_runs_that_the_claims_need_are_asked_for():
+def test_only_the_runs_that_the_claims_need_are_run():
     assert list(cases_for(Simulation(), {"P4": CLAIMS["P4"]})) == ["pca_half", "pca_full"]
     assert list(cases_for(Simulation())) == list(CASES)
 

@@ -1,4 +1,4 @@
-"""The study changes one thing at a time, pairs what helped, and tells better from worse."""
+"""The study changes one choice at a time, pairs the helpful ones, and distinguishes better from worse."""
 
 from dataclasses import replace
 
@@ -55,7 +55,7 @@ def test_pairs_are_made_of_the_best_choice_of_each_factor_that_matters():
     assert [choice.takes for choice in promising(rows)] == ["b", "d"]
 
 
-def test_changes_and_table_tell_better_from_worse():
+def test_changes_and_table_distinguish_better_from_worse():
     other = row("θ_0 0.2 rad", A1="pass", P2="fail", P3="fail")
     assert changes(other, DEFAULT_ROW) == [("A1", "deviation", "pass"), ("P2", "deviation", "fail")]
     line = study_markdown({"rows": [DEFAULT_ROW, other]}).splitlines()[-1]
@@ -85,7 +85,7 @@ def test_the_study_runs_default_choices_and_pairs_on_coarse_maps(monkeypatch):
 
 
 def test_the_reported_alpha_stiffens_a_relaxed_stretched_fold_and_reaches_the_runs():
-    """Second-hand: up to 27 % more; nothing where TA's stiffness dwarfs that of the ligament."""
+    """Secondary source: up to 27 % more; no change where TA is much stiffer than the ligament."""
     slack = Simulation(activation=Activation(lca=0.6, ia=0.6, ct=0.0, ta=0.0))
     tight = Simulation(activation=Activation(lca=0.6, ia=0.6, ct=0.0, ta=1.0))
     ratios = []

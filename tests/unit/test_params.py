@@ -1,4 +1,4 @@
-"""What a user may ask for: defaults are the paper's modal case, ranges are enforced, refusals are sentences."""
+"""Values of a request: defaults are the paper's modal case, ranges are enforced, refusals are sentences."""
 
 import dataclasses
 import math
@@ -37,7 +37,7 @@ def meta(box, name):
     return next(field for field in dataclasses.fields(box) if field.name == name).metadata
 
 
-def test_without_a_word_it_is_the_papers_modal_case():
+def test_the_default_is_the_papers_modal_case():
     asked = Simulation()
     assert dataclasses.asdict(asked.activation) == {"ta": 0.4, "ct": 0.3, "lca": 0.8, "ia": 0.8, "pca": 0.0}
     assert (asked.subglottal_pressure_pa, asked.convergence_angle_rad, asked.vowel) == (1000.0, 0.02, "a")
@@ -60,7 +60,7 @@ def test_every_number_is_refused_just_outside_its_range_and_taken_at_its_end(box
 
 
 @pytest.mark.parametrize(("box", "prefix", "name"), NUMBERS, ids=lambda value: getattr(value, "__name__", value))
-def test_every_number_says_what_it_is(box, prefix, name):
+def test_every_number_is_described(box, prefix, name):
     says = meta(box, name)
     assert says["label"] and says["unit"] and says["source"]
     assert says["low"] < says["high"]
@@ -68,14 +68,14 @@ def test_every_number_says_what_it_is(box, prefix, name):
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, "0.4", None, True, [0.4], 1 + 0j])
-def test_what_is_no_number_is_refused(value):
+def test_values_that_are_not_numbers_are_refused(value):
     with pytest.raises(ParameterError) as refusal:
         Activation(ta=value)
     assert refusal.value.path == "activation.ta"
     assert isinstance(refusal.value, VocalisError) and isinstance(refusal.value, ValueError)
 
 
-def test_a_whole_number_may_be_asked_for():
+def test_an_integer_may_be_required():
     check_number("n", 3.0, 1, 5, integer=True)
     with pytest.raises(ParameterError, match="n: 3.5 is not a whole number; allowed: 1 to 5 nodes"):
         check_number("n", 3.5, 1, 5, "nodes", integer=True)
@@ -117,14 +117,14 @@ def test_the_steps_are_whole_travels_through_a_tract_section():
         (lambda: Simulation(vowel="y"), "vowel", VOWELS),
     ],
 )
-def test_an_unknown_choice_is_answered_with_the_known_ones(make, path, options):
+def test_an_unknown_choice_is_refused_with_the_known_ones(make, path, options):
     with pytest.raises(ParameterError, match="is not known") as refusal:
         make()
     assert refusal.value.path.endswith(path)
     assert refusal.value.allowed == " | ".join(options)
 
 
-def test_none_is_no_choice_where_something_must_be_chosen():
+def test_none_is_refused_where_a_choice_is_required():
     with pytest.raises(ParameterError):
         Run(start=None)
 

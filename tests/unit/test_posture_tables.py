@@ -1,4 +1,4 @@
-"""Published sets, overrides by name, and the arrays the kernel gets."""
+"""Published sets, overrides by name, and the arrays of the kernel."""
 
 from dataclasses import fields
 
@@ -51,7 +51,7 @@ def test_unknown_set_is_refused():
     assert "serry2026" in caught.value.allowed
 
 
-def test_every_constant_says_what_it_is_and_holds_the_published_values():
+def test_every_constant_is_described_and_has_the_published_value():
     for name, metadata in constant_names().items():
         assert metadata["unit"]
         assert metadata["label"]
@@ -135,6 +135,6 @@ def test_load_scale_is_the_load_of_all_muscles_and_never_zero():
 
 
 @pytest.mark.parametrize("bad", [[0.1] * 5, [[0.1] * 4], [[0.1, 0.1, 0.1, 0.1, 1.1]], [[0.1, 0.1, float("nan"), 0, 0]]])
-def test_batch_refuses_what_is_no_activation(bad):
+def test_batch_refuses_invalid_activations(bad):
     with pytest.raises(ParameterError, match="activations"):
         solve_posture_batch(bad, posture_set("serry2026"))

@@ -1,4 +1,4 @@
-"""A request document says exactly what a Simulation says, and nothing unusable passes."""
+"""A request document and a Simulation are equivalent, and invalid documents are refused."""
 
 import json
 import math
@@ -48,7 +48,7 @@ def test_an_empty_document_is_the_modal_case():
         *(resolve(preset.request) for preset in PRESETS),
     ],
 )
-def test_a_request_survives_the_way_to_json_and_back(request_):
+def test_a_request_survives_a_json_round_trip(request_):
     assert resolve(json.loads(json.dumps(document_of(request_)))) == request_
 
 
@@ -91,7 +91,7 @@ def test_every_choice_takes_its_options_and_no_other(row):
 @pytest.mark.parametrize("key", ["run.nx", "run.ny"])
 def test_a_grid_is_a_whole_number(key):
     assert refusal(nested(key, 12.5)).path == key
-    request = resolve(nested(key, 12.0))  # JSON does not tell 12.0 from 12
+    request = resolve(nested(key, 12.0))  # JSON does not distinguish 12.0 from 12
     count = getattr(request.run, key.removeprefix("run."))
     assert count == 12 and isinstance(count, int)
 
@@ -118,11 +118,11 @@ def test_an_integer_beyond_all_floats_is_out_of_range(key):
         ({"run": {"duration_s": 1.0, "pressure_rise_s": 2.0}}, "run.pressure_rise_s"),
     ],
 )
-def test_what_is_not_a_request_is_named(document, path):
+def test_an_invalid_field_is_named(document, path):
     assert refusal(document).path == path
 
 
-def test_what_is_no_object_is_refused():
+def test_values_that_are_not_objects_are_refused():
     for document in ([], "modal", 3, None):
         assert refusal(document).path == "request"
 

@@ -1,4 +1,4 @@
-"""The parameter schema offers what the model takes: every field, with values that work."""
+"""The parameter schema has every field of a request, with valid values."""
 
 import dataclasses
 
@@ -66,7 +66,7 @@ def test_every_row_can_make_a_control(row):
         assert 0 < row["step"] <= row["max"] - row["min"]
 
 
-def test_muscles_come_first_and_groups_stay_together():
+def test_muscles_come_first_and_groups_are_contiguous():
     groups = [row["group"] for row in ROWS.values()]
     assert groups[:5] == ["muscles"] * 5
     assert list(dict.fromkeys(groups)) == list(GROUPS)

@@ -1,4 +1,4 @@
-"""A sweep document: what it takes, what it refuses and where, and how it unfolds into runs."""
+"""A sweep document: valid and refused values, and its expansion into runs."""
 
 import pytest
 from hypothesis import given
@@ -53,7 +53,7 @@ def test_a_bad_field_is_named_by_its_dotted_path(document, path):
     assert refusal.value.allowed
 
 
-def test_axes_unfold_in_c_order_with_tied_parameters_together():
+def test_axes_unfold_in_c_order_and_tied_parameters_vary_jointly():
     tied = {"parameter": ["activation.lca", "activation.ia"], "values": [0.2, 0.9]}
     sweep = sweep_from_dict({"axes": [CT, tied]})
     assert sweep.shape == (3, 2) and len(sweep) == 6
@@ -66,8 +66,8 @@ def test_axes_unfold_in_c_order_with_tied_parameters_together():
 def test_equal_sweeps_are_equal_documents():
     one = sweep_from_dict({"axes": [CT], "measures": ["spl_lips_db", "fo_hz"]})
     axes = [CT | {"values": [0.0, 0.5, 1.0]}]
-    said = {"kind": "sweep", "base": {"vowel": "a"}, "axes": axes, "measures": ["fo_hz", "spl_lips_db"]}
-    other = sweep_from_dict(said)
+    document = {"kind": "sweep", "base": {"vowel": "a"}, "axes": axes, "measures": ["fo_hz", "spl_lips_db"]}
+    other = sweep_from_dict(document)
     assert sweep_to_dict(one) == sweep_to_dict(other)
     assert sweep_from_dict(sweep_to_dict(one)) == one
 
@@ -90,12 +90,12 @@ def test_overlapping_sweeps_share_addresses(point):
     assert alone.address(0) == among.address(1) == among.part([1]).address(0)
 
 
-def test_a_point_is_the_base_where_it_says_nothing_else():
+def test_a_point_has_the_values_of_the_base_unless_it_sets_them():
     sweep = sweep_from_dict({"base": {"activation": {"ct": 0.7}}, "points": [{}, {"activation.ct": 0.7}]})
     assert sweep.address(0) == sweep.address(1)
 
 
-def test_what_is_asked_otherwise_has_another_address():
+def test_a_different_question_has_a_different_address():
     asked = [{}, {"precision": "float32"}, {"measures": ["fo_hz"]}]
     addresses = {sweep_from_dict({"points": [{}]} | extra).address(0) for extra in asked}
     assert len(addresses) == 3

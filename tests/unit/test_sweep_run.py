@@ -45,7 +45,7 @@ def test_a_point_has_the_numbers_of_its_own_run(table):
             assert table.reason(key, table.sweep.shape[1] * place) == measure.reason
 
 
-def test_a_point_that_cannot_be_computed_says_why(table):
+def test_a_point_that_cannot_be_computed_has_a_reason(table):
     assert table.n_failed == 2 and list(table.problems) == [1, 3]
     assert "run.time_step_s" in table.problems[1] and table.states()[0, 1] == "failed"
     assert table.reason("fo_hz", 1) == table.problems[1]
@@ -77,7 +77,7 @@ def test_the_last_points_are_shared_out():
     assert portions.next_size(400) > portions.next_size(50) > portions.next_size(10) == LANES["float64"]
 
 
-def test_what_is_not_computed_yet_is_pending():
+def test_points_not_computed_yet_are_pending():
     empty = SweepTable(sweep_from_dict({"axes": [CT]}))
     assert empty.document()["pending"] == [0, 1] and empty.states().tolist() == ["pending"] * 2
     assert "not computed yet" in empty.reason("fo_hz", 0)
@@ -127,17 +127,19 @@ def test_a_row_reads_back_and_damage_is_noticed(table):
     again = decode(encode(row))
     assert again.state == row.state and again.reasons == row.reasons and again.problem is None
     np.testing.assert_array_equal(again.values, row.values)
-    octets = bytearray(encode(row))
-    octets[len(octets) // 2] ^= 255
+    data = bytearray(encode(row))
+    data[len(data) // 2] ^= 255
     with pytest.raises(Exception, match="."):
-        decode(bytes(octets))
+        decode(bytes(data))
 
 
-def test_a_journal_is_gone_on_with_and_nothing_is_computed_twice(tmp_path):
+def test_a_journal_is_resumed_and_nothing_is_computed_twice(tmp_path):
     sweep = sweep_from_dict({"base": SHORT, "points": [{"activation.ct": k / 120} for k in range(120)]})
-    journal, said = Journal(tmp_path / "journal", sweep), []
+    journal, counts = Journal(tmp_path / "journal", sweep), []
     with pytest.raises(Cancelled):
-        run_sweep(sweep, 1, journal=journal, progress=lambda done, *_: said.append(done), stop=lambda: len(said) > 1)
+        run_sweep(
+            sweep, 1, journal=journal, progress=lambda done, *_: counts.append(done), stop=lambda: len(counts) > 1
+        )
     kept = dict(journal.rows())
     assert 0 < len(kept) < 120
     journal.close()

@@ -95,7 +95,7 @@ class FoldConstants:
         "rest angle at the anterior commissure",
         -0.5,
         1.0,
-        source="not printed in the paper; an earlier version of the model used 0.2540 rad,  "
+        source="not printed in the paper; an earlier version of the model used 0.2540 rad, "
         "close to the half-angle at zero activation (0.239 rad)",
         symbol="θ_0",
     )

@@ -142,7 +142,7 @@ class Run:
         False,
         "error bars of the measures",
         source="docs/model/numerics.md",
-        help="two more runs on finer grids estimate how far each measure is from its fine-grid limit; about 12 times  "
+        help="two more runs on finer grids estimate how far each measure is from its fine-grid limit; about 12 times "
         "the work",
     )
 

@@ -1,4 +1,4 @@
-"""Runs that several of these checks read, made once."""
+"""Runs that several tests share, made once."""
 
 from typing import NamedTuple
 

@@ -17,7 +17,7 @@ def gap_mm(shape):
 
 
 def inferior_lead_mm(shape):
-    """How far the inferior edge stands medially of the superior, mm."""
+    """How far the inferior edge is medial of the superior edge, mm."""
     return 1e3 * (shape.w_m[-1] - shape.w_m[0])
 
 

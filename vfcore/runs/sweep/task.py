@@ -35,7 +35,7 @@ def run_task(part: Sweep, model_version: str, stop: Stop | None = None) -> TaskR
     """
     if model_version != MODEL_VERSION:
         raise WrongModel(
-            f"A worker has model {MODEL_VERSION}, the sweep needs model {model_version}:  "
+            f"A worker has model {MODEL_VERSION}, the sweep needs model {model_version}: "
             "install the same version of Vocalis on both."
         )
     began = time.perf_counter()

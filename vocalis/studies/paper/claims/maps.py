@@ -36,7 +36,7 @@ VALLEY_DB, VALLEY_LINES_GOOD, VALLEY_LINES_FAIR = 1.0, 0.5, 0.25
 TOP, LOW_CT, TOP_GOOD, TOP_FAIR = 90.0, 1.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0
 TENDS = 0.5
 #: A9: a difference in CQ is at least the tolerance of M3; the paper's diagonal ends at TA 0.8, CT 0.4.
-CQ_STEP, DIAGONAL_TA_PER_CT, BESIDE = 0.03, 2.0, 0.1
+CQ_STEP, DIAGONAL_TA_PER_CT, AROUND = 0.03, 2.0, 0.1
 DIAGONAL_CT = (0.15, 0.4)
 ROWS_GOOD, ROWS_FAIR = 2.0 / 3.0, 1.0 / 3.0
 
@@ -143,7 +143,11 @@ def cq_has_two_low_regions(maps: ActivationMap) -> ClaimOutcome:
 def _diagonal_is_low(row: np.ndarray, ta: np.ndarray, ct: float) -> bool:
     """Whether CQ on the diagonal is CQ_STEP below its largest value on each side, without TA = 0."""
     offset = ta - DIAGONAL_TA_PER_CT * ct
-    on, before, after = np.abs(offset) <= BESIDE + ROUNDING, offset < -BESIDE - ROUNDING, offset > BESIDE + ROUNDING
+    on, before, after = (
+        np.abs(offset) <= AROUND + ROUNDING,
+        offset < -AROUND - ROUNDING,
+        offset > AROUND + ROUNDING,
+    )
     groups = [row[where & np.isfinite(row)] for where in (on, before & (ta > 0.0), after)]
     if not all(len(group) for group in groups):
         return False
@@ -216,7 +220,7 @@ CLAIMS = (
         f"about TA 0.8, CT 0.4, with higher values between ({PLACE}).",
         definition=f"Pass: the rank correlation of CQ with TA (median over CT rows) is {TENDS:g} or above; mean CQ at "
         f"TA 0 is at most the map's lower quartile; in two thirds of the rows CT {DIAGONAL_CT[0]:g} … "
-        f"{DIAGONAL_CT[1]:g}, CQ within {BESIDE:g} of TA = 2 CT falls {CQ_STEP:g} (the tolerance of M3) below its "
+        f"{DIAGONAL_CT[1]:g}, CQ within {AROUND:g} of TA = 2 CT falls {CQ_STEP:g} (the tolerance of M3) below its "
         "maxima on both sides. Deviation: a positive correlation; mean CQ at TA 0 below the map's mean; a third of "
         f"the rows. Fail: otherwise. {COVERAGE}",
     ),
