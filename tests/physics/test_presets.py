@@ -17,7 +17,7 @@ VARIANTS = ("paper", "human")
 
 @cache
 def run(key: str, variant: str = "paper"):
-    """The preset on a variant with the source–tract coupling that it is meant with."""
+    """The preset on a variant with the source–tract coupling that it brings."""
     request = next(preset.request for preset in PRESETS if preset.key == key)
     model = {"variant": variant, "coupling": {"paper": "one_way", "human": "two_way"}[variant]}
     return simulate(resolve({"run": {"duration_s": 0.5}, "model": model} | request))
