@@ -92,7 +92,7 @@ def test_the_report_is_one_white_page_with_the_displayed_values(visit, scheme):
     assert report.evaluate("e => getComputedStyle(e).color") == "rgb(28, 35, 38)", "dark on white in both themes"
     assert pages(here) == 1
     here.page.emulate_media(media="print")
-    assert not here.page.locator(".desk").is_visible() and report.is_visible()
+    assert not here.page.locator(".desktop").is_visible() and report.is_visible()
     here.page.emulate_media(media="screen")
     here.page.reload()
     here.settle()

@@ -101,7 +101,7 @@ def test_the_page_asks_for_a_token_and_keeps_the_settings(visit):
         here.expected = re.compile("401")
         here.page.get_by_label(re.compile("Token")).fill("open-sesame")
         here.page.keyboard.press("Enter")
-        here.page.wait_for_selector(".desk")
+        here.page.wait_for_selector(".desktop")
         here.settle()
         here.context.clear_cookies()
         here.slider("activation.ct").press("ArrowRight")

@@ -77,7 +77,7 @@ export function App({ entered }) {
 
 function Desktop() {
   return html`
-    <div class="desk">
+    <div class="desktop">
       <${TopBar} />
       <aside class="left card" aria-label=${APP.controls}>
         <${Muscles} />
