@@ -122,7 +122,7 @@ def test_imports_point_down(module):
     if not inner:  # what users import offers everything
         return
     rooms = [room for room in MAY_IMPORT if inner == room or inner.startswith(room + ".")]
-    assert rooms, f"{module} stands in no room"
+    assert rooms, f"{module} belongs to no layer"
     room = max(rooms, key=len)
     allowed = MAY_IMPORT[room] | {room}
     for used in modules_used(MODULES[module]):
@@ -216,7 +216,7 @@ def test_every_file_of_the_physics_says_what_it_is():
 
 
 def test_compiled_functions_raise_nothing_and_build_no_text():
-    """In the functions under ``@jit``; what stands at module level is not compiled."""
+    """In the functions under ``@jit``; what is at module level is not compiled."""
     foreign = (ast.Raise, ast.Try, ast.JoinedStr, ast.Dict, ast.ListComp)
     compiled = [
         node for path in files(".py", under=("vfcore/kernels",)) for node in ast.walk(tree(path)) if _is_jit(node)

@@ -15,7 +15,7 @@ DEFAULT_KIND = "simulation"
 
 
 def body_type(kinds: Mapping[str, JobKind]) -> Any:
-    """The body of any of these kinds, told apart by its ``kind``; without one it is a simulation."""
+    """The body of any of these kinds, distinguished by its ``kind``; without one it is a simulation."""
 
     def tag(body: Any) -> str:
         kind = body.get("kind") if isinstance(body, dict) else getattr(body, "kind", None)

@@ -48,11 +48,11 @@ def test_the_index_lists_the_files_as_they_are():
 
 @pytest.mark.parametrize("key, step", STEPS)
 def test_a_step_says_what_to_see_and_the_model_shows_it(key, step):
-    told = lesson(key)["steps"][step]
-    assert told["say"] and told["see"] and told["look"]["panel"] in PANELS
-    assert set(told["set"]) <= {*NUMBERS, "vowel"}
-    assert told["expect"], "a step without a checked sentence teaches nothing"
-    for wanted in told["expect"]:
+    step_shown = lesson(key)["steps"][step]
+    assert step_shown["say"] and step_shown["see"] and step_shown["look"]["panel"] in PANELS
+    assert set(step_shown["set"]) <= {*NUMBERS, "vowel"}
+    assert step_shown["expect"], "a step without a checked sentence teaches nothing"
+    for wanted in step_shown["expect"]:
         check(wanted, key, step)
 
 

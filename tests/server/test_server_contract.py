@@ -18,7 +18,7 @@ from vfcore.spec.paths import NUMBERS
 from vfcore.spec.request import document_of, resolve, values_of
 from vfcore.spec.variants import VARIANTS
 
-OCTETS = {"Accept": "application/octet-stream"}
+AS_BYTES = {"Accept": "application/octet-stream"}
 
 
 def test_health_says_version_engine_and_that_kernels_are_ready(client):
@@ -123,7 +123,7 @@ def read_bundle(content: bytes):
 
 
 def test_bytes_carry_every_array_of_the_python_result(client, python_result):
-    answer = client.post("/simulate", json=SHORT, headers=OCTETS)
+    answer = client.post("/simulate", json=SHORT, headers=AS_BYTES)
     assert answer.headers["content-type"] == "application/octet-stream"
     header, arrays = read_bundle(answer.content)
     assert header["phonation_state"] == python_result.report.state and header["id"]
@@ -135,10 +135,10 @@ def test_bytes_carry_every_array_of_the_python_result(client, python_result):
 
 
 def test_bytes_can_be_restricted_to_chosen_arrays(client):
-    answer = client.post("/simulate?arrays=glottal_area_m2,cycle_wb_m", json=SHORT, headers=OCTETS)
+    answer = client.post("/simulate?arrays=glottal_area_m2,cycle_wb_m", json=SHORT, headers=AS_BYTES)
     _, arrays = read_bundle(answer.content)
     assert list(arrays) == ["glottal_area_m2", "cycle_wb_m"]
-    refused = client.post("/simulate?arrays=loudness", json=SHORT, headers=OCTETS)
+    refused = client.post("/simulate?arrays=loudness", json=SHORT, headers=AS_BYTES)
     assert refused.status_code == 422
     assert refused.json()["errors"][0]["path"] == "arrays"
 

@@ -179,9 +179,9 @@ def test_a_result_file_reads_back_bit_for_bit_and_damage_is_noticed(tmp_path):
     assert again.request == result.request and again.report == result.report
     for name, array in result.arrays.items():
         np.testing.assert_array_equal(again.arrays[name], array)
-    octets = bytearray(path.read_bytes())
-    octets[len(octets) // 2] ^= 255
-    path.write_bytes(octets)
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 255
+    path.write_bytes(content)
     with pytest.raises(DamagedFile):
         load_result(path)
 
