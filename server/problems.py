@@ -8,6 +8,7 @@ from vfcore.errors import (
     ParameterError,
     PostureError,
     StaticShapeError,
+    writable,
 )
 from vfcore.runs.sweep.task import WrongModel
 from vocalis.server import exceptions as server
@@ -61,15 +62,17 @@ def is_about_model(problem: dict[str, Any]) -> bool:
     return problem["type"] == document(TABLE[WrongModel], "")["type"]
 
 
-def document(kind: Kind, detail: str, errors: list[dict[str, Any]] | None = None) -> dict[str, Any]:
+def document(kind: Kind, detail: str, errors: list[dict[str, str]] | None = None) -> dict[str, Any]:
     """A problem document; ``errors`` lists bad fields as {path, message, allowed}."""
     body: dict[str, Any] = {
         "type": f"urn:vocalis:problem:{kind.slug}",
         "title": kind.title,
         "status": kind.status,
-        "detail": detail,
+        "detail": writable(detail),
     }
-    return body | ({"errors": errors} if errors is not None else {})
+    if errors is None:
+        return body
+    return body | {"errors": [{name: writable(text) for name, text in error.items()} for error in errors]}
 
 
 def problem_of(error: Exception) -> dict[str, Any]:

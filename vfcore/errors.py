@@ -6,11 +6,20 @@ maps the class to a status in one table.
 """
 
 
+def writable(text: str) -> str:
+    """``text`` with escapes for what UTF-8 cannot hold: JSON may hold half of a surrogate pair."""
+    return text.encode(errors="backslashreplace").decode()
+
+
 class VocalisError(Exception):
     """Base of every error this package raises on purpose.
 
     Errors cross process boundaries: each is rebuilt from its sentence and its attributes, not from its constructor.
+    Its sentence can always be written as UTF-8.
     """
+
+    def __init__(self, sentence: str = ""):
+        super().__init__(writable(sentence))
 
     def __reduce__(self):
         return _rebuilt, (type(self), self.args), self.__dict__
@@ -25,9 +34,9 @@ class ParameterError(VocalisError, ValueError):
 
     def __init__(self, path: str, message: str, allowed: str):
         super().__init__(f"{path}: {message}; allowed: {allowed}")
-        self.path = path
-        self.message = message
-        self.allowed = allowed
+        self.path = writable(path)
+        self.message = writable(message)
+        self.allowed = writable(allowed)
 
 
 class PostureError(VocalisError):

@@ -63,6 +63,21 @@ def test_numbers_that_are_none_are_refused(client, number):
     assert problem(answer, 422)["errors"][0]["path"] == "subglottal_pressure_pa"
 
 
+@pytest.mark.parametrize("path", ["/posture", "/jobs", "/gestures"])
+@pytest.mark.parametrize(
+    "content",
+    [
+        r'{"\ud800": 1}',
+        r'{"vowel": "\ud800"}',
+        r'{"kind": "\ud800"}',
+        r'{"kind": "sweep", "points": [{"\ud800": 1}]}',
+        r'{"kind": "sweep", "axes": [{"parameter": "\ud800", "values": [1]}]}',
+    ],
+)
+def test_a_refusal_can_repeat_half_of_a_surrogate_pair(client, path, content):
+    assert problem(client.post(path, content=content, headers=JSON), 422)["errors"]
+
+
 @pytest.mark.parametrize("content", ["{", "[]", "null", "3", ""])
 def test_a_body_that_is_no_object_is_refused(client, content):
     problem(client.post("/posture", content=content, headers=JSON), 422)

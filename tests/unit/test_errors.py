@@ -9,7 +9,7 @@ import pytest
 
 import vfcore
 import vocalis.server
-from vfcore.errors import Cancelled, DivergenceError, ParameterError, StabilityError, VocalisError
+from vfcore.errors import Cancelled, DivergenceError, ParameterError, PostureError, StabilityError, VocalisError
 
 MADE = [
     ParameterError("run.nx", "3 is too few", "6 to 200"),
@@ -52,3 +52,12 @@ def test_every_kind_of_error_keeps_its_attributes():
         error.anything = {"of": "its own"}
         assert _same(pickle.loads(pickle.dumps(error)), error)
         assert _same(copy.copy(error), error)
+
+
+@pytest.mark.parametrize("make", [lambda text: ParameterError(text, text, text), PostureError], ids=["field", "model"])
+def test_every_sentence_can_be_written_as_utf_8(make):
+    """JSON may hold half of a surrogate pair, which UTF-8 cannot."""
+    error = make("a\ud800b ε")
+    for text in (str(error), *vars(error).values()):
+        assert "a\\ud800b ε" in text.encode().decode()
+    assert _same(pickle.loads(pickle.dumps(error)), error)
