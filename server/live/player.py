@@ -9,7 +9,7 @@ from vfcore.errors import ParameterError, VocalisError
 from vfcore.io.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 from vfcore.io.result_document import json_text
 from vfcore.runs.gesture.slew import differences, is_near, slew_limited
-from vfcore.runs.gesture.voice import BLOCK_S, Voice
+from vfcore.runs.gesture.voice import BLOCK_S, Voice, fixed_part_changed
 from vfcore.spec.paths import value_at
 from vfcore.spec.request import flat, patched
 from vfcore.spec.simulation import Simulation
@@ -180,53 +180,38 @@ class Player:
         self._client.send(self._frame.text(state, *voice.outline))
 
     def _receive(self) -> None:
-        """Take all messages since the last call; the newest value of each parameter wins."""
-        change: dict[str, Any] = {}
+        """Take all messages since the last call, in their order; one that cannot be used is reported and dropped."""
         record: bool | None = None
         stamp: int | None = None
         for text in self._client.messages():
             try:
                 message = read_message(text)
+                if "wanted_buffer_ms" in message and "buffer_ms" in message:
+                    self._pace.lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
+                record, stamp = message.get("record", record), message.get("stamp", stamp)
+                patch = flat({key: value for key, value in message.items() if key not in CONTROLS})
+                if patch:
+                    self._want(patch)
             except ParameterError as error:
                 self._send({"type": "problem", "problem": problem_of(error), "over": False})
-                continue
-            if "wanted_buffer_ms" in message and "buffer_ms" in message:
-                self._pace.lead_error_s = (message["wanted_buffer_ms"] - message["buffer_ms"]) / 1e3
-            record, stamp = message.get("record", record), message.get("stamp", stamp)
-            for key in CONTROLS:
-                message.pop(key, None)
-            change |= self._patch(message)
-        if change:
-            self._want(change)
         if record is not None:
             self._record(record)
         if stamp is not None:
             self._send({"type": "heard", "stamp": stamp, "sequence": self._sequence})
 
-    def _patch(self, message: dict[str, Any]) -> dict[str, Any]:
-        """The part of a message that is a patch on the request; empty, and reported, where it is none."""
-        try:
-            return flat(message)
-        except ParameterError as error:
-            self._send({"type": "problem", "problem": problem_of(error), "over": False})
-            return {}
-
-    def _want(self, change: dict[str, Any]) -> None:
+    def _want(self, patch: dict[str, Any]) -> None:
+        """Play towards the request in force with a patch; ParameterError where a voice cannot do that."""
         voice = self._made
-        try:
-            wanted = patched(self._wanted, change)
-            if voice is not None and (wanted.run, wanted.model) != (voice.request.run, voice.request.model):
-                raise ParameterError("model", "cannot change while the voice is played", "a new connection")
-            if voice is not None and (wanted.posture is None) != (self._wanted.posture is None):
-                raise ParameterError("posture", "cannot come or go while the voice is played", "a new connection")
-        except ParameterError as error:
-            self._send({"type": "problem", "problem": problem_of(error), "over": False})
-            return
-        self._wanted = wanted
+        wanted = patched(self._wanted, patch)
         if voice is not None:
+            if (part := fixed_part_changed(voice.request, wanted)) is not None:
+                raise ParameterError(part, "cannot change while the voice is played", "a new connection")
+            if (wanted.posture is None) != (self._wanted.posture is None):
+                raise ParameterError("posture", "cannot come or go while the voice is played", "a new connection")
             self._pace.moved = True
             self._paths = differences(voice.request, wanted)
             self._calm = 0
+        self._wanted = wanted
 
     def _record(self, on: bool) -> None:
         if on:

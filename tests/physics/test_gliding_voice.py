@@ -118,8 +118,10 @@ def test_the_voice_stops_and_starts_as_the_pressure_does():
 
 def test_parameters_that_cannot_move_are_refused():
     voice = Voice(vfcore.Simulation())
-    with pytest.raises(ParameterError, match="cannot change while the voice goes on"):
+    with pytest.raises(ParameterError, match="model: cannot change once the voice has begun"):
         voice.advance(vfcore.Simulation(model=vfcore.Model(variant="text_literal")))
+    with pytest.raises(ParameterError, match="run: cannot change once the voice has begun"):
+        voice.advance(vfcore.Simulation(run=vfcore.Run(nx=30)))
     with pytest.raises(ParameterError, match="need a shorter step"):
         Voice(vfcore.Simulation(run=vfcore.Run(ny=40)))
 

@@ -1,5 +1,7 @@
 """A live voice over the WebSocket: sound without gaps that follows the parameters, exact replay."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -7,6 +9,7 @@ from tests.server.live_client import Received, voice
 from vfcore.io.audio import FULL_SCALE_PA
 from vfcore.runs.gesture.gesture import gesture_from_dict
 from vfcore.runs.gesture.render import render
+from vocalis.server.live.player import Player
 
 
 def test_blocks_come_in_order_in_real_time_and_sound(voice_server):
@@ -50,7 +53,10 @@ def test_the_voice_follows_the_parameters(voice_server):
         (b"\x00\x01", "message"),
         ('{"activation": {"ct": 2}}', "activation.ct"),
         ('{"activation": {"xx": 0}}', "activation.xx"),
-        ('{"run": {"nx": 30}}', "model"),
+        (r'{"\ud800": 1}', r"\ud800"),
+        ('{"run": {"nx": 30}}', "run"),
+        ('{"model": {"shear": "rotation"}}', "model"),
+        ('{"posture": {"strain": 0.1}}', "posture"),
         ('{"buffer_ms": -1}', "buffer_ms"),
         ('{"record": 1}', "record"),
         ('{"stamp": 0.5}', "stamp"),
@@ -63,6 +69,51 @@ def test_a_bad_message_is_reported_and_the_voice_continues(voice_server, message
         received.listen(10, until="problem")
         assert received.problems[-1]["errors"][0]["path"] == path
         assert Received(socket).listen(0.1).blocks
+
+
+class Sender:
+    """A client whose messages all come at once."""
+
+    def __init__(self, *messages):
+        self.texts = [json.dumps(message) for message in messages]
+        self.problems = []
+
+    def wait(self, seconds):
+        pass
+
+    def messages(self):
+        return self.texts
+
+    def send(self, text):
+        frame = json.loads(text)
+        if frame["type"] == "problem":
+            self.problems.append(frame["problem"]["errors"][0]["path"])
+
+    def flush(self):
+        pass
+
+
+def played(*messages):
+    """The request of a voice that begins with these messages, and the paths that were refused."""
+    client = Sender(*messages)
+    player = Player(client)
+    assert player.prepare()
+    return player._voice.request, client.problems
+
+
+def test_of_messages_that_come_at_once_only_the_bad_ones_are_dropped():
+    good, bad = {"activation": {"ct": 0.9}}, {"activation": {"ct": 2}}
+    request, problems = played(good, bad, {"vowel": "x"}, {"colour": 1}, {"subglottal_pressure_pa": 900})
+    assert problems == ["activation.ct", "vowel", "colour"]
+    assert (request.activation.ct, request.vowel, request.subglottal_pressure_pa) == (0.9, "a", 900.0)
+
+
+def test_of_messages_that_come_at_once_the_newest_wins_where_a_part_comes_and_goes():
+    given = {"posture": {"strain": 0.1, "glottal_half_angle_rad": 0.01}}
+    request, problems = played(given, {"posture": None})
+    assert (request.posture, problems) == (None, [])
+    request, problems = played({"posture": None}, given)
+    assert (request.posture.strain, problems) == (0.1, [])
 
 
 def test_the_block_that_first_follows_a_stamped_movement_is_named(voice_server):

@@ -107,8 +107,8 @@ class Voice:
         now = self.request
         if target is now or _same_fold(target, now):
             return self._gliding.spec
-        if (target.run, target.model) != (now.run, now.model):
-            raise ParameterError("model", "cannot change while the voice goes on", "a new voice")
+        if (part := fixed_part_changed(now, target)) is not None:
+            raise ParameterError(part, "cannot change once the voice has begun", "a new voice")
         same_posture = (target.activation, target.posture, target.posturing, target.constants.L_0_m) == (
             now.activation,
             now.posture,
@@ -116,6 +116,11 @@ class Voice:
             now.constants.L_0_m,
         )
         return FoldSpec(target, self.posture if same_posture else posture_of(target))
+
+
+def fixed_part_changed(one: Simulation, other: Simulation) -> str | None:
+    """The part in which two requests differ although it is fixed during a voice; None where there is none."""
+    return next((part for part in ("run", "model") if getattr(one, part) != getattr(other, part)), None)
 
 
 def _same_tract(a: Simulation, b: Simulation) -> bool:
