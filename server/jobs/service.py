@@ -74,7 +74,7 @@ class JobService:
         with self._lock:
             if key is not None and (known := self._recall(client, key, content)) is not None:
                 return known
-            job = None if fresh else self._same(client, kind.name, content)
+            job = None if fresh else self._same(client, content, kind.has_answer(wanted, self._storage))
             if job is None:
                 return self._new(Job(uuid4().hex, client, kind.name, request, content, uuid4().hex, now(),
                                      n_total=kind.n_total(wanted), fresh=fresh), key)  # fmt: skip
@@ -133,8 +133,7 @@ class JobService:
             raise ParameterError("Idempotency-Key", "was used for another request", "a new key, or the same request")
         return job if job and job.content == content else None  # the result of an earlier version is made again
 
-    def _same(self, client: str, kind: str, content: str) -> Job | None:
-        has_answer = kind_named(kind).has_answer(content, self._storage)
+    def _same(self, client: str, content: str, has_answer: bool) -> Job | None:
         return self._store.latest(content, (*ACTIVE, Status.SUCCESSFUL) if has_answer else ACTIVE, client)
 
     def _new(self, job: Job, key: str | None) -> Job:

@@ -12,6 +12,7 @@ import vfcore
 from tests.server.live_server import SHORT, events, finish, run, serving, wait_until
 from tests.server.test_server_refusals import problem
 from vfcore.runs.sweep import run_sweep, sweep_from_dict
+from vfcore.spec.address import address
 
 MAP = {
     "kind": "sweep",
@@ -166,6 +167,25 @@ def test_waveforms_of_points_are_kept_where_asked(own):
     flow = np.frombuffer(own.get(f"/jobs/{single['id']}/arrays/glottal_flow_m3_s").content, "<f4")
     alone = vfcore.simulate(vfcore.Simulation(activation=vfcore.Activation(ct=0.45), run=vfcore.Run(duration_s=0.1)))
     np.testing.assert_array_equal(flow, alone.arrays["glottal_flow_m3_s"].astype("<f4"))
+
+
+def test_waveforms_are_kept_also_of_points_whose_numbers_are_stored(two, own):
+    ct = {"parameter": "activation.ct", "values": [0.16, 0.46]}
+    too_long = {"parameter": "run.pressure_rise_s", "values": [0.01, 0.2]}
+    plain = {"kind": "sweep", "base": SHORT, "axes": [ct, too_long]}
+    finish(own, run(own, plain))
+    addresses = [
+        address(vfcore.resolve({"activation.ct": value, "run": SHORT["run"] | {"pressure_rise_s": 0.01}}))
+        for value in ct["values"]
+    ]
+    archive = two.services.storage.results
+    for gone in ([], addresses[:1], addresses):
+        archive.drop(gone)
+        job = finish(own, run(own, plain | {"keep_waveforms": True}))
+        assert (job["status"], job["n_done"], job["n_failed"]) == ("successful", 4, 2)
+        assert all(archive.is_stored(address) for address in addresses)
+    again = finish(own, run(own, plain | {"keep_waveforms": True}))
+    assert again["id"] == job["id"], "nothing is missing, so nothing is computed"
 
 
 @pytest.mark.parametrize(

@@ -106,7 +106,7 @@ class JobKind(ABC, Generic[W]):
         """A canonical document for lists and events: long lists in it are null."""
         return request
 
-    def has_answer(self, content: str, storage: "Storage") -> bool:
+    def has_answer(self, wanted: W, storage: "Storage") -> bool:
         """Whether the answer of a finished job is still kept."""
         return True
 
@@ -166,8 +166,8 @@ class SingleKind(JobKind[W], Generic[W, R]):
         call = Call(type(self).function, (job.request,), (job.content,))
         return SingleWork(job.work_id, listener, call, partial(storage.results.store, job.content))
 
-    def has_answer(self, content: str, storage: "Storage") -> bool:
-        return storage.results.has(content)
+    def has_answer(self, wanted: W, storage: "Storage") -> bool:
+        return storage.results.has(self.address(wanted))
 
     def take_answer(self, job: Job, storage: "Storage") -> bool:
         if (result := storage.results.get(job.content)) is None:

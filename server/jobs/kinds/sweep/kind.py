@@ -8,9 +8,10 @@ import orjson
 from vfcore.runs.sweep.cost import check_cost
 from vfcore.runs.sweep.document import sweep_from_dict, sweep_to_dict
 from vfcore.runs.sweep.plan import Sweep
+from vfcore.runs.sweep.row import columns
 from vfcore.runs.sweep.table import SweepTable
 from vocalis.server.jobs.kinds.base import CSV, FILES, JSON, NETCDF, RESULT, Answer, JobKind
-from vocalis.server.jobs.kinds.sweep.work import SweepWork
+from vocalis.server.jobs.kinds.sweep.work import SweepWork, is_kept
 from vocalis.server.jobs.model import Job, Status
 from vocalis.server.jobs.work import WorkListener
 from vocalis.server.schemas.answers import SweepResult
@@ -53,12 +54,23 @@ class SweepKind(JobKind[Sweep]):
     def work(self, job: Job, storage: "Storage", listener: WorkListener) -> SweepWork:
         return SweepWork(job.work_id, self.parse(job.request), storage, listener, job.fresh)
 
+    def has_answer(self, wanted: Sweep, storage: "Storage") -> bool:
+        return self._finished(wanted, storage) is not None
+
     def take_answer(self, job: Job, storage: "Storage") -> bool:
         """Points belong to work, so the new job takes over the work of the finished one."""
-        if (done := storage.jobs.latest(job.content, (Status.SUCCESSFUL,))) is None:
+        if (done := self._finished(self.parse(job.request), storage)) is None:
             return False
         job.work_id, job.n_failed = done.work_id, done.n_failed
         return True
+
+    def _finished(self, sweep: Sweep, storage: "Storage") -> Job | None:
+        """The newest finished job of a sweep; None also where whole results that it was to keep are gone."""
+        done = storage.jobs.latest(sweep.content, (Status.SUCCESSFUL,))
+        if done is None or not sweep.keep_waveforms:
+            return done
+        rows = storage.points.rows(done.work_id, len(columns(sweep)))
+        return done if all(is_kept(sweep, place, row.state is None, storage.results) for place, row in rows) else None
 
     def brief(self, request: dict[str, Any]) -> dict[str, Any]:
         """Lists of more than LONGEST_LIST entries are null; GET of the job itself has them."""

@@ -9,6 +9,7 @@ from vfcore.runs.result import SimulationResult
 from vfcore.runs.sweep.cost import Portions
 from vfcore.runs.sweep.plan import Sweep
 from vfcore.runs.sweep.row import Row, columns, failed_row
+from vocalis.server.jobs.archive import Archive
 from vocalis.server.jobs.kinds.sweep.point_event import MOST_IN_EVENTS, point_document
 from vocalis.server.jobs.kinds.sweep.task import SweepTask
 from vocalis.server.jobs.model import Job
@@ -18,6 +19,11 @@ if TYPE_CHECKING:
     from vocalis.server.jobs.storage import Storage
 
 LOOK_AHEAD = 2000  # most points looked up at a time while they turn out to be stored already
+
+
+def is_kept(sweep: Sweep, position: int, has_no_answer: bool, results: Archive) -> bool:
+    """Whether a point with a stored row needs no run: a sweep that keeps waveforms also needs the whole result."""
+    return not sweep.keep_waveforms or has_no_answer or results.is_stored(sweep.computation(position).address())
 
 
 class SweepWork(Work):
@@ -64,7 +70,11 @@ class SweepWork(Work):
                 batch = [todo.popleft() for _ in range(min(look, len(todo)))]
                 keys = [self.sweep.address(position) for position in batch]
                 stored = {} if self.fresh else self._points.known(keys)
-                found = {position: stored[key] for position, key in zip(batch, keys, strict=True) if key in stored}
+                found = {
+                    position: stored[key]
+                    for position, key in zip(batch, keys, strict=True)
+                    if key in stored and is_kept(self.sweep, position, stored[key][1], self._results)
+                }
                 if found:
                     self._link(found)
                 left = [(p, key) for p, key in zip(batch, keys, strict=True) if p not in found]
