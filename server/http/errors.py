@@ -1,6 +1,7 @@
 """Exceptions to problem+json answers; ``problems.TABLE`` has the statuses."""
 
 import asyncio
+import json
 import logging
 from collections.abc import Sequence
 from http import HTTPStatus
@@ -16,10 +17,11 @@ from vfcore.errors import ParameterError, VocalisError
 from vocalis.server.exceptions import NotReady
 from vocalis.server.jobs.kinds.registry import KINDS
 from vocalis.server.problems import MEDIA_TYPE, TABLE, Kind, document, kind_of, problem_of
-from vocalis.server.schemas.requests import OFFERED_KINDS, allowed_at, known_names
+from vocalis.server.schemas.requests import OFFERED_KINDS, allowed_at, known_names, models_in
 
 log = logging.getLogger("vocalis")
 LONGEST_ECHO = 60
+_NO_OBJECT = ("model_attributes_type", "model_type", "dict_type")
 _UNION_MEMBERS = ("function-wrap", "str", "list[str]", "list[constrained-str]")
 
 
@@ -100,7 +102,8 @@ async def _validation(request: Request, error: Exception) -> JSONResponse:
     if items[0]["loc"] == ("body",) and isinstance(error.body, bytes):
         given = request.headers.get("content-type", "nothing")
         return problem_response(_by_status(415, f"The body must be application/json, not {given}."))
-    fields = [_field(item) for item in items]
+    body = request.scope["endpoint"].__annotations__.get("body")
+    fields = [_field(item, body) for item in items]
     detail = "; ".join(f"{field['path']}: {field['message']}" for field in fields[:3])
     return problem_response(document(TABLE[ParameterError], detail, fields))
 
@@ -110,28 +113,42 @@ def _by_status(status: int, detail: str) -> dict[str, Any]:
     return document(Kind(status, phrase.lower().replace(" ", "-"), phrase), detail)
 
 
-def _field(item: dict[str, Any]) -> dict[str, str]:
-    """One entry of ``errors`` from one of pydantic's."""
-    where, *rest = item["loc"]
+def _field(item: dict[str, Any], body: Any) -> dict[str, str]:
+    """One entry of ``errors`` from one of pydantic's; ``body``: the type of the body of the route, None for none."""
+    where, *place = item["loc"]
     kind, limits = item["type"], item.get("ctx", {})
     if kind == "json_invalid":
         return {"path": "body", "message": f"is not JSON: {limits['error']}", "allowed": "a JSON object"}
-    if kind == "kind_not_offered":
-        return {"path": _path([*rest, "kind"]), "message": item["msg"], "allowed": " | ".join(OFFERED_KINDS)}
-    path = _path(rest) or str(where)
+    models = models_in(body) if where == "body" else []
+    kinds: Sequence[str] = OFFERED_KINDS
+    if len(models) > 1 and place:  # pydantic names the member of the union first
+        if place[1:] in ([], ["kind"]):
+            kinds = tuple(KINDS)
+        models, place = [KINDS[place[0]].body], place[1:]
     if kind == "extra_forbidden":
-        return {"path": path, "message": "is not a known field", "allowed": known_names(path)}
-    allowed = (allowed_at(path) if where == "body" else None) or limits.get("expected") or item["msg"]
+        path = _path([*place[:-1]], place[-1])
+        return {"path": path, "message": "is not a known field", "allowed": known_names(models[0], place)}
+    path = _path(place) or str(where)
+    if kind == "kind_not_offered":
+        path = _path(place, "kind")
+        message = item["msg"] if kinds == OFFERED_KINDS else f"{_echo(item['input']['kind'])} is not a kind of job"
+        return {"path": path, "message": message, "allowed": " | ".join(kinds)}
+    if kinds != OFFERED_KINDS and path == "kind":
+        allowed: str | None = " | ".join(kinds)
+    elif kind in _NO_OBJECT:
+        allowed = allowed_at(path) or "an object"
+    else:
+        allowed = allowed_at(path) if where == "body" else None
     message = "is missing" if kind == "missing" else f"{_echo(item['input'])} cannot be used"
-    return {"path": path, "message": message, "allowed": str(allowed)}
+    return {"path": path, "message": message, "allowed": str(allowed or limits.get("expected") or item["msg"])}
 
 
-def _path(parts: Sequence[int | str]) -> str:
-    """Dotted, without what pydantic adds to say which member of a union it means."""
-    tagged = parts and parts[0] in KINDS
-    return ".".join(str(part) for part in parts[1 if tagged else 0 :] if part not in _UNION_MEMBERS)
+def _path(place: Sequence[int | str], *unknown: int | str) -> str:
+    """Dotted, without what pydantic adds to say which member of a union it means; ``unknown`` is a client's word."""
+    return ".".join(str(part) for part in (*(part for part in place if part not in _UNION_MEMBERS), *unknown))
 
 
 def _echo(value: Any) -> str:
-    text = repr(value)
+    """A value as the client wrote it, in JSON."""
+    text = json.dumps(value, ensure_ascii=False, default=repr)
     return text if len(text) <= LONGEST_ECHO else f"{text[:LONGEST_ECHO]}…"

@@ -4,7 +4,8 @@ Unit, range, label and help are declared once, in the core; here they become JSO
 checks the rest, which a schema cannot express (for example a step that is too long for the grid).
 """
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema, create_model, model_validator
 from pydantic_core import PydanticCustomError
@@ -170,10 +171,18 @@ def allowed_at(path: str) -> str | None:
     return f"{row['min']:g} to {row['max']:g}{unit}" + (", or null" if row["nullable"] else "")
 
 
-def known_names(path: str) -> str:
-    """The known names in the object that has an unknown one."""
-    parent, _, _ = path.removeprefix("base.").rpartition(".")
-    if parent == "constants":
+def models_in(annotation: Any) -> list[type[BaseModel]]:
+    """The models that a type is made of: itself, or the members of a union, or the entries of a list."""
+    if isinstance(annotation, type) and get_origin(annotation) is None:
+        return [annotation] if issubclass(annotation, BaseModel) else []
+    return [model for inner in get_args(annotation) for model in models_in(inner)]
+
+
+def known_names(body: type[BaseModel], place: Sequence[int | str]) -> str:
+    """The known names in the object of ``body`` that has an unknown one at ``place``."""
+    if place[-2:-1] == [LARYNX]:
         return "the constants listed by GET /api/v1/parameters"
-    names = _OBJECTS[parent].model_fields if parent in _OBJECTS else SimulationBody.model_fields
-    return ", ".join(sorted(names))
+    for part in place[:-1]:
+        if part in body.model_fields:
+            body = models_in(body.model_fields[str(part)].annotation)[0]
+    return ", ".join(sorted(body.model_fields))

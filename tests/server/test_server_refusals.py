@@ -51,6 +51,49 @@ def test_a_sweep_is_a_job_and_nothing_else(client, path):
     ]
 
 
+SWEEP = {"kind": "sweep", "axes": [{"parameter": "activation.ct", "values": [0.1]}]}
+ROW = {"parameter": "activation.ct", "values": [0.1]}
+
+
+@pytest.mark.parametrize(
+    "path, body, field, has, has_not",
+    [
+        ("/jobs", {"kind": "gesture"}, "kind", "simulation | sweep", "gesture"),
+        ("/jobs", {"kind": None}, "kind", "simulation | sweep", "'"),
+        ("/jobs", {"foo": 1}, "foo", "fresh, kind", "axes"),
+        ("/jobs", {"sweep": 1}, "sweep", "fresh, kind", "axes"),
+        ("/jobs", SWEEP | {"foo": 1}, "foo", "axes, base, fresh", "vowel"),
+        ("/jobs", SWEEP | {"axes": [ROW | {"foo": 1}]}, "axes.0.foo", "parameter, values", "vowel"),
+        ("/jobs", SWEEP | {"base": {"foo": 1}}, "base.foo", "run, subglottal_pressure_pa, vowel", "axes"),
+        ("/jobs", SWEEP | {"base": {"run": {"foo": 1}}}, "base.run.foo", "duration_s", "vowel"),
+        ("/postures", ROW | {"foo": 1}, "foo", "base, parameter, values", "vowel"),
+        ("/postures", ROW | {"base": {"run": {}}}, "base.run", "posture, subglottal_pressure_pa", "run"),
+        ("/posture", {"run": {}}, "run", "posture, subglottal_pressure_pa", "run"),
+        ("/resolve", {"sweep": 1}, "sweep", "run, subglottal_pressure_pa, vowel", "axes"),
+        ("/resolve", {"str": 1}, "str", "run, subglottal_pressure_pa, vowel", "axes"),
+        ("/resolve", {"posture": {"foo": 1}}, "posture.foo", "strain", "vowel"),
+        ("/gestures", {"foo": 1}, "foo", "run, subglottal_pressure_pa, vowel", "fresh"),
+        ("/jobs", [], "body", "object", "Input"),
+    ],
+)
+def test_help_names_what_is_known_in_the_object_that_was_read(client, path, body, field, has, has_not):
+    (found,) = problem(client.post(path, json=body), 422)["errors"]
+    assert found["path"] == field and has in found["allowed"] and has_not not in found["allowed"], found
+
+
+@pytest.mark.parametrize(
+    "body, message",
+    [
+        ({"vowel": None}, "null cannot be used"),
+        ({"activation": None}, "null cannot be used"),
+        ({"activation": {"ct": True}}, "true cannot be used"),
+        ({"vowel": {"a": [False]}}, '{"a": [false]} cannot be used'),
+    ],
+)
+def test_a_refused_value_is_repeated_in_the_words_of_json(client, body, message):
+    assert problem(client.post("/resolve", json=body), 422)["errors"][0]["message"] == message
+
+
 def test_all_bad_fields_are_told_at_once(client):
     body = {"activation": {"ta": 2, "ct": -1}, "vowel": "x"}
     paths = [error["path"] for error in problem(client.post("/posture", json=body), 422)["errors"]]

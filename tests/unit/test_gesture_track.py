@@ -28,7 +28,7 @@ def test_never_beyond_its_own_values(values, time):
         ({"activation": {"ct": [[0, 0.1], [1, 1.2]]}}, "activation.ct.1.1", "out of range"),
         ({"activation": {"ct": [[0, 0.1], [1]]}}, "activation.ct.1", "is not a breakpoint"),
         ({"activation": {"ct": [[0, True]]}}, "activation.ct.0.1", "is not a number"),
-        ({"activation": {"ct": []}}, "activation.ct (breakpoints)", "out of range"),
+        ({"activation": {"ct": []}}, "activation.ct", "has no breakpoints"),
         ({"run": {"duration_s": [[0, 1]]}}, "run.duration_s", "cannot move"),
         ({"constants": {"K_col_pa_m": [[0, 1.0]]}}, "constants.K_col_pa_m", "out of range"),
         ({"constants": {"K_col_pa_m": [[0, 1e6], [1, 1.0]]}}, "constants.K_col_pa_m.1.1", "out of range"),

@@ -25,7 +25,9 @@ class Track:
     values: tuple[float, ...]
 
     def __post_init__(self):
-        check_number(f"{self.path} (breakpoints)", len(self.times_s), 1, MOST_BREAKPOINTS)
+        if not 1 <= len(self.times_s) <= MOST_BREAKPOINTS:
+            what = f"{len(self.times_s)} breakpoints are too many" if self.times_s else "has no breakpoints"
+            raise ParameterError(self.path, what, f"1 to {MOST_BREAKPOINTS} breakpoints")
         for k, time in enumerate(self.times_s):
             check_number(f"{self.path}.{k}.0", time, 0.0, LATEST_S, "s")
             if k and time <= self.times_s[k - 1]:
