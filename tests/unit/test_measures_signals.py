@@ -14,6 +14,7 @@ from vfcore.errors import ParameterError
 from vfcore.measures import CATALOGUE, Signals, measure_all
 from vfcore.measures.analysis import Analysis
 from vfcore.measures.measure_spec import Needs
+from vfcore.measures.phonation import STATES
 from vfcore.measures.signals import ALTERNATIVES, NUMBERS, SOUND, VIBRATION, WAVES, Sound, with_alternatives
 
 RATE_HZ, FO_HZ = 28_000.0, 149.6
@@ -55,6 +56,29 @@ def choices(spec) -> list[set[str]]:
 def value_and_reason(signals: Signals, key: str):
     measure = measure_all(signals, [key]).measures[key]
     return measure.value, measure.reason
+
+
+@pytest.mark.parametrize("rate_hz", [1e-300, 1e-3, 1.0, 19.9, 99.9, 0.0, -1.0])
+def test_a_rate_that_samples_no_voice_is_refused(rate_hz):
+    with pytest.raises(ParameterError, match="signals.sample_rate_hz: .* at least 100 Hz"):
+        Signals(rate_hz, glottal_area_m2=PULSES)
+
+
+@pytest.mark.parametrize("rate_hz", [100.0, 101.7, 250.0, 1e9])
+@pytest.mark.parametrize("samples", [16, 100, 3000])
+def test_any_other_rate_is_measured(rate_hz, samples):
+    assert vfcore.measure(Signals(rate_hz, glottal_area_m2=PULSES[:samples])).state in STATES
+
+
+def test_a_wave_may_be_a_list_of_numbers():
+    found, wanted = (vfcore.measure(Signals(RATE_HZ, glottal_area_m2=wave)) for wave in (PULSES.tolist(), PULSES))
+    assert found == wanted and found.measures["fo_hz"].value == pytest.approx(FO_HZ, rel=1e-3)
+
+
+@pytest.mark.parametrize("wave", [["a"] * 20, [[1.0], 2.0] * 10, [None] * 20, {"a": 1}])
+def test_a_wave_that_is_no_row_of_numbers_is_refused(wave):
+    with pytest.raises(ParameterError, match="signals.glottal_area_m2"):
+        Signals(RATE_HZ, glottal_area_m2=wave)
 
 
 def test_every_signal_that_is_declared_is_one():

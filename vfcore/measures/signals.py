@@ -3,7 +3,7 @@
 from collections.abc import Set
 from dataclasses import dataclass, fields
 from math import isfinite
-from typing import NamedTuple, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
@@ -39,6 +39,7 @@ ALTERNATIVES = {
 PHRASES = WAVES | NUMBERS | {SOUND: "a sound", VIBRATION: "a glottal area, a flow or a sound"}
 MAY_BE_NAN = ("contact_location",)
 MIN_SAMPLES = 16
+MIN_SAMPLE_RATE_HZ = 100.0  # slower sampling shows no cycle of the slowest voices
 READ_BEFORE_S = 0.02  # before the measured part, by slopes and minima at its edge: many times what they need
 
 
@@ -53,8 +54,8 @@ class Sound(NamedTuple):
 class Signals:
     """Waves, uniformly sampled, and the numbers that belong to them; None for what is not known.
 
-    Every wave has shape ``(n,)`` and may be float32 or float64; none is copied. The measures use the part from sample
-    ``window_start`` on, so that the onset transient is left out.
+    Every wave has shape ``(n,)`` and may be float32 or float64; an array is not copied, a list becomes one. The
+    measures use the part from sample ``window_start`` on, so that the onset transient is left out.
 
     - ``glottal_area_m2``: minimum glottal area A_g,min(t), m².
     - ``glottal_flow_m3_s``: glottal flow rate Q_g(t), m³/s.
@@ -67,7 +68,7 @@ class Signals:
     - ``medial_area_m2``: area of one medial surface, L·b, m².
     - ``measured_from``: first sample of the measured part; None: the middle, so that the last half is measured.
 
-    Raises ParameterError for waves of unequal length, or with values that are not finite.
+    Raises ParameterError for waves of unequal length, values that are not finite, and a sample rate below 100 Hz.
     """
 
     sample_rate_hz: float
@@ -90,6 +91,10 @@ class Signals:
     measured_from: int | None = None
 
     def __post_init__(self) -> None:
+        for name in WAVES:
+            wave = getattr(self, name)
+            if wave is not None and not isinstance(wave, np.ndarray):
+                object.__setattr__(self, name, _array(f"signals.{name}", wave))
         given = [(name, wave) for name in WAVES if (wave := getattr(self, name)) is not None]
         n = np.size(given[0][1]) if given else MIN_SAMPLES
         if n < MIN_SAMPLES:
@@ -105,8 +110,9 @@ class Signals:
             value = getattr(self, name)
             if value is not None and not isfinite(value):
                 raise ParameterError(f"signals.{name}", "is not finite", "a finite number")
-        if self.sample_rate_hz <= 0:
-            raise ParameterError("signals.sample_rate_hz", f"{self.sample_rate_hz:g} is not positive", "above 0 Hz")
+        if self.sample_rate_hz < MIN_SAMPLE_RATE_HZ:
+            raise ParameterError("signals.sample_rate_hz", f"{self.sample_rate_hz:g} Hz is too low",
+                                 f"at least {MIN_SAMPLE_RATE_HZ:g} Hz")  # fmt: skip
         if self.measured_from is not None and not 0 <= self.measured_from < max(n, 1):
             raise ParameterError("signals.measured_from", f"{self.measured_from} is no sample", f"0 to {n - 1}")
 
@@ -125,7 +131,7 @@ class Signals:
         is not calibrated may be given in other units, with a full scale of about 1.
         """
         return cls(
-            float(rate_hz), far_pressure_pa=np.asarray(pressure_pa), far_distance_m=distance_m,
+            float(rate_hz), far_pressure_pa=pressure_pa, far_distance_m=distance_m,
             measured_from=measured_from,
         )  # fmt: skip
 
@@ -173,6 +179,14 @@ def missing_sentence(names: list[str]) -> str:
     phrases = [PHRASES[name] for name in names]
     listed = " and ".join([", ".join(phrases[:-1]), phrases[-1]] if len(phrases) > 1 else phrases)
     return f"Needs {listed}, which {'is' if len(phrases) == 1 else 'are'} not given."
+
+
+def _array(path: str, wave: Any) -> np.ndarray:
+    """A wave given as a list or another sequence."""
+    try:
+        return np.asarray(wave, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise ParameterError(path, "is not a row of numbers", "an array or a list of numbers") from error
 
 
 def _is_finite(value: np.ndarray) -> bool:
