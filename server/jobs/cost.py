@@ -5,7 +5,7 @@ from dataclasses import replace
 from vfcore.errors import ParameterError
 from vfcore.runs.error_estimate import companions
 from vfcore.runs.one import prepare, steps_of
-from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
+from vfcore.spec.simulation import Simulation
 
 
 def check_cost(request: Simulation, limit: float, setting: str) -> None:
@@ -16,7 +16,7 @@ def check_cost(request: Simulation, limit: float, setting: str) -> None:
     run = request.run
     runs = [run, *(one.run for one in companions(request))] if run.error_estimate else [run]
     node_seconds = [one.nx * one.ny * one.duration_s for one in runs]
-    cost = sum(node_seconds) / (run.time_step_s or DEFAULT_STEP_S)
+    cost = sum(node_seconds) / run.step_s
     if cost <= limit:  # the steps can only be shorter than this, so a run above the limit needs no posture
         steps = steps_of(request, [prepare(replace(request, run=one)).fold for one in runs])
         cost = sum(work / step for work, step in zip(node_seconds, steps, strict=True))

@@ -16,11 +16,12 @@ from vfcore.errors import Cancelled, ParameterError
 from vfcore.kernels.layout import LANES
 from vfcore.runs.many import run_points
 from vfcore.runs.sweep import SweepTable, run_sweep, sweep_from_dict
-from vfcore.runs.sweep.cost import Portions
+from vfcore.runs.sweep.cost import Portions, point_node_steps
 from vfcore.runs.sweep.dataset import dataset
 from vfcore.runs.sweep.files import write_csv, write_netcdf
 from vfcore.runs.sweep.journal import Journal
 from vfcore.runs.sweep.row import decode, encode
+from vfcore.spec.simulation import DEFAULT_STEP_S
 
 SHORT = {"run": {"duration_s": 0.2}}
 CT = {"parameter": "activation.ct", "values": [0.1, 0.5]}
@@ -49,6 +50,23 @@ def test_a_point_that_cannot_be_computed_has_a_reason(table):
     assert table.n_failed == 2 and list(table.problems) == [1, 3]
     assert "run.time_step_s" in table.problems[1] and table.states()[0, 1] == "failed"
     assert table.reason("fo_hz", 1) == table.problems[1]
+
+
+NX = {"parameter": "run.nx", "values": [20, 40, 10]}
+
+
+@pytest.mark.parametrize(
+    "document, wanted",
+    [
+        ({"axes": [CT]}, 20 * 10 * 0.2 / DEFAULT_STEP_S),
+        ({"axes": [NX, STEP]}, 40 * 10 * 0.2 / 2e-5),
+        ({"axes": [{"parameter": "run.duration_s", "values": [1, 3]}]}, 20 * 10 * 3 / DEFAULT_STEP_S),
+        ({"points": [{"run.nx": 10}, {"run.time_step_s": 1e-5, "run.ny": 6}]}, 20 * 10 * 0.2 / 1e-5),
+        ({"points": [{"run.nx": 10}, {"activation.ct": 1}]}, 20 * 10 * 0.2 / DEFAULT_STEP_S),
+    ],
+)
+def test_the_cost_of_a_point_is_that_of_the_largest_run(document, wanted):
+    assert point_node_steps(sweep_from_dict({"base": SHORT} | document)) == pytest.approx(wanted, rel=1e-12)
 
 
 def test_every_null_of_the_document_is_explained(table):

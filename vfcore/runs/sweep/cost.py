@@ -1,12 +1,16 @@
 """The cost of a sweep, and the size of its tasks."""
 
 import threading
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import product
 
 from vfcore.errors import ParameterError
 from vfcore.kernels.layout import LANES
 from vfcore.runs.sweep.plan import Sweep
-from vfcore.spec.simulation import DEFAULT_STEP_S
+from vfcore.spec.paths import DECLARATIONS, NUMBERS, value_at
 
+_OF_RUN = frozenset(path for path in NUMBERS if DECLARATIONS[path].part == "run")
 TASK_S = (0.2, 1.0)  # long against the round trip, short enough that a lost or stopped task costs little
 TASKS_PER_WORKER = 8  # at least so many, so that all workers finish at about the same time
 MOST_PER_TASK = 512
@@ -16,16 +20,9 @@ _OVERHEAD_S = 2e-3  # per point: posture, coefficients, measures
 
 def point_node_steps(sweep: Sweep) -> float:
     """Upper bound of nodes × steps of one point; steps that stability shortens are not counted."""
-    run = sweep.base.run
-    most = {"nx": run.nx, "ny": run.ny, "duration_s": run.duration_s}
-    step = run.time_step_s or DEFAULT_STEP_S
-    for path, values in _varied(sweep):
-        name = path.removeprefix("run.")
-        if name in most:
-            most[name] = max(values)
-        elif name == "time_step_s":
-            step = min(values)
-    return most["nx"] * most["ny"] * most["duration_s"] / step
+    extremes = {DECLARATIONS[path].name: _extremes(values) for path, values in _varied_of_run(sweep).items()}
+    corners = (dict(zip(extremes, corner, strict=True)) for corner in product(*extremes.values()))
+    return max(replace(sweep.base.run, **corner).node_steps for corner in corners)
 
 
 def check_cost(sweep: Sweep, points: int, node_steps: float, setting_points: str, setting_steps: str) -> None:
@@ -42,11 +39,18 @@ def check_cost(sweep: Sweep, points: int, node_steps: float, setting_points: str
         )
 
 
-def _varied(sweep: Sweep):
+def _extremes(values: Sequence[float | None]) -> set[float | None]:
+    """The least and the largest number, and null where it is among them."""
+    numbers = [value for value in values if value is not None]
+    return {*values} - {*numbers} | ({min(numbers), max(numbers)} if numbers else set())
+
+
+def _varied_of_run(sweep: Sweep) -> dict[str, Sequence[float | None]]:
+    """The values that numbers of the run take, by path."""
     if sweep.axes:
-        return [(path, axis.values) for axis in sweep.axes for path in axis.parameters]
-    paths = {path for point in sweep.points for path in point if path.startswith("run.")}
-    return [(path, [point[path] for point in sweep.points if path in point]) for path in paths]
+        return {path: axis.values for axis in sweep.axes for path in axis.parameters if path in _OF_RUN}
+    varied = {path for point in sweep.points for path in point if path in _OF_RUN}
+    return {path: [point.get(path, value_at(sweep.base, path)) for point in sweep.points] for path in varied}
 
 
 class Portions:
