@@ -33,8 +33,8 @@ async def posture(body: PostureBody, request: Request, shared: Shared) -> JSONRe
 async def postures(body: NeighboursBody, request: Request, shared: Shared) -> JSONResponse:
     """The answers of /posture for several values of one number, in their order.
 
-    An answer is null where the model has none; /posture says why. The page fetches the neighbours of a value before
-    the slider reaches them.
+    An answer is null where the model has none; /posture says why. A value that makes the request invalid refuses the
+    whole call, at ``values.k``. The page fetches the neighbours of a value before the slider reaches them.
     """
     wanted = requests_of(body)
 

@@ -30,10 +30,17 @@ def requests_of(body: NeighboursBody) -> list[Simulation]:
     """One request for each value; ParameterError for what the schema cannot express."""
     base = simulation_of(body.base)
     paths = [body.parameter] if isinstance(body.parameter, str) else body.parameter
-    for path in paths:
+    for k, path in enumerate(paths):
         if path not in PATHS:
             raise ParameterError("parameter", f"{path!r} is no number of a posture", "one listed by GET /parameters")
-    return [
-        patched(base, {path: value_for(path, value, f"values.{k}") for path in paths})
-        for k, value in enumerate(body.values)
-    ]
+        if path in paths[:k]:
+            raise ParameterError("parameter", f"{path} is varied twice", "each number once")
+    return [_request(base, paths, value, f"values.{k}") for k, value in enumerate(body.values)]
+
+
+def _request(base: Simulation, paths: list[str], value: float, at: str) -> Simulation:
+    patch = {path: value_for(path, value, at) for path in paths}
+    try:
+        return patched(base, patch)
+    except ParameterError as error:
+        raise ParameterError(at, f"{error.path}: {error.message}", error.allowed) from error

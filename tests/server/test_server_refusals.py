@@ -159,6 +159,8 @@ def test_posture_takes_no_run(client):
         ({"parameter": [], "values": [0.1]}, "parameter"),
         ({"parameter": "activation.ct", "values": [0.1], "base": {"activation": {"ta": 2}}}, "base.activation.ta"),
         ({"parameter": "activation.ct"}, "values"),
+        ({"parameter": ["activation.ct", "activation.ta", "activation.ct"], "values": [0.1]}, "parameter"),
+        ({"parameter": "constants.vocal_process_x_m", "values": [0.003, 0.015]}, "values.1"),
     ],
 )
 def test_a_row_of_postures_names_what_it_cannot_use(client, body, path):
