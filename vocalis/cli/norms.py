@@ -12,7 +12,7 @@ from rich.table import Table
 from vfcore.errors import ParameterError
 from vfcore.io.atomic import write_bytes
 from vfcore.io.result_document import json_text
-from vfcore.spec.simulation import COUPLINGS
+from vfcore.spec.simulation import COUPLINGS, Model
 from vfcore.spec.variants import VARIANTS
 from vocalis.cli.outputs import check_writable, save
 from vocalis.studies.norms.calibration import study_document
@@ -57,7 +57,7 @@ def norms(
         if study:
             document = study_document(pool, _update(bars, "study"))
         else:
-            columns = [(variant, coupling or VARIANTS[variant].coupling)] if variant else SHOWN
+            columns = [(variant, Model(variant, coupling=coupling).coupling)] if variant else SHOWN
             scored = {}
             for name, way in columns:
                 column = f"{name}, {way}"

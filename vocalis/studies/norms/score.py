@@ -10,7 +10,6 @@ from vfcore.errors import VocalisError
 from vfcore.runs.one import simulate
 from vfcore.spec.request import document_of, resolve
 from vfcore.spec.simulation import Simulation
-from vfcore.spec.variants import VARIANTS
 from vocalis.studies.norms.efforts import POSTURE, requests
 from vocalis.studies.norms.norms import FIFTEEN, NORMS, Norm
 from vocalis.studies.norms.reading import NO_VOICE, FlowMeasures, NormReading, reading
@@ -52,8 +51,7 @@ def score_variant(
     variant: str, coupling: str | None, pool: ProcessPoolExecutor, progress: Progress = lambda done, total: None
 ) -> dict[str, Any]:
     """Run and judge one variant; ``coupling`` None: that of the variant."""
-    choice = {"variant": variant, "coupling": coupling or VARIANTS[variant].coupling}
-    base = resolve({"model": choice, "activation": asdict(POSTURE)})
+    base = resolve({"model": {"variant": variant, "coupling": coupling}, "activation": asdict(POSTURE)})
     return score_base(base, pool, progress)
 
 

@@ -12,7 +12,6 @@ import numpy as np
 
 from vfcore.spec.request import document_of, resolve
 from vfcore.spec.simulation import Simulation
-from vfcore.spec.variants import VARIANTS
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 from vocalis.studies.paper.claims.claim import Claim, ClaimOutcome
 from vocalis.studies.paper.claims.registry import CLAIMS
@@ -43,7 +42,7 @@ def score_variant(
 ) -> Scored:
     """Run and judge ``claims`` for one model variant with its own source–tract coupling."""
     began = perf_counter()
-    base = resolve({"model": {"variant": variant, "coupling": VARIANTS[variant].coupling}})
+    base = resolve({"model.variant": variant})
     warm_up(base)
     gathered = gather(cases_for(base, claims), pool, progress)
     return Scored(base, gathered, judge(gathered.evidence, claims), perf_counter() - began)
