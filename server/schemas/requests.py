@@ -148,7 +148,7 @@ else:
 
 def gesture_of(body: BaseModel) -> Gesture:
     """The validated gesture; ParameterError for what the schema cannot express."""
-    return gesture_from_dict(body.model_dump(exclude_unset=True, exclude={"kind"}))
+    return gesture_from_dict(body.model_dump(exclude_unset=True))
 
 
 def simulation_of(body: BaseModel) -> Simulation:

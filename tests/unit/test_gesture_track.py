@@ -1,13 +1,16 @@
 """Breakpoints: linear interpolation, refusals with a path, and a document round trip."""
 
+import json
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 import vfcore
 from vfcore.errors import ParameterError
-from vfcore.runs.gesture.gesture import Gesture, gesture_from_dict, gesture_to_dict
+from vfcore.runs.gesture.gesture import Gesture, gesture_from_dict, gesture_patch, gesture_to_dict
 from vfcore.runs.gesture.track import Track
+from vocalis.cli.requests import request_patch
 
 
 def test_straight_lines_between_and_constant_outside():
@@ -44,6 +47,22 @@ def test_a_bad_breakpoint_is_refused_by_its_path(document, path, message):
 def test_a_posture_moves_only_where_there_is_one():
     with pytest.raises(ParameterError, match="a posture that is not given"):
         Gesture(vfcore.Simulation(), (Track("posture.strain", (0.0,), (0.1,)),))
+
+
+@pytest.mark.parametrize("kind", [{}, {"kind": "gesture"}, {"kind": "simulation"}])
+def test_a_gesture_document_may_name_its_kind(tmp_path, kind):
+    document = {"activation": {"ct": [[0.0, 0.1], [1.0, 0.9]]}}
+    wanted = gesture_from_dict(document)
+    assert gesture_from_dict(document | kind) == wanted
+    file = tmp_path / "gesture.json"
+    file.write_text(json.dumps(document | kind))
+    assert gesture_from_dict(request_patch(None, str(file), {}, [], gesture_patch)) == wanted
+
+
+@pytest.mark.parametrize("kind", ["sweep", None, []])
+def test_a_document_of_another_kind_is_no_gesture(kind):
+    with pytest.raises(ParameterError, match=r"^kind: .*gesture \| simulation"):
+        gesture_from_dict({"kind": kind})
 
 
 def test_a_document_comes_back_as_it_was():

@@ -10,7 +10,7 @@ from vfcore.io.atomic import write_bytes
 from vfcore.io.audio import to_wav_bytes
 from vfcore.io.result_document import json_text
 from vfcore.runs.gesture.document import contour_csv, gesture_document, write_gesture_netcdf
-from vfcore.runs.gesture.gesture import Gesture, gesture_from_dict
+from vfcore.runs.gesture.gesture import Gesture, gesture_from_dict, gesture_patch
 from vfcore.runs.gesture.render import RenderedGesture, render
 from vocalis.cli.options import SIMULATE_OPTIONS, takes_request
 from vocalis.cli.outputs import check_writable, save
@@ -76,5 +76,5 @@ def _print(console: Console, rendered: RenderedGesture) -> None:
 
 def register(app: typer.Typer, summary: str) -> None:
     app.command("gesture", help=HELP.format(summary=summary))(
-        takes_request(SIMULATE_OPTIONS, gesture_from_dict)(gesture)
+        takes_request(SIMULATE_OPTIONS, gesture_from_dict, gesture_patch)(gesture)
     )

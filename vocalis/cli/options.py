@@ -7,7 +7,7 @@ from typing import Annotated, Any, NamedTuple
 import typer
 
 from vfcore.spec.presets import PRESETS
-from vfcore.spec.request import resolve
+from vfcore.spec.request import flat, resolve
 from vfcore.spec.schema import parameter_schema
 from vocalis.cli.requests import request_patch
 
@@ -50,10 +50,15 @@ _PRESET_NAMES = ", ".join(preset.key for preset in PRESETS)
 _SOURCES = ("preset", "request", "set")
 
 
-def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict[str, Any]], Any] = resolve) -> Callable:
+def takes_request(
+    options: tuple[RequestOption, ...],
+    make: Callable[[dict[str, Any]], Any] = resolve,
+    read: Callable[[Any], dict[str, Any]] = flat,
+) -> Callable:
     """Decorator: the command gets ``request``, made from ``options``, --preset, --request and --set.
 
-    ``make`` turns the patch into the argument of the command, by default a Simulation.
+    ``make`` turns the patch into the argument of the command, by default a Simulation; ``read`` turns the document of
+    --request into a patch.
     Later overrides earlier: preset, request file, single options, --set. ParameterError for invalid input.
     """
 
@@ -67,7 +72,7 @@ def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict[str, 
         def request_command(**values: Any) -> Any:
             preset, path, settings = (values.pop(name) for name in _SOURCES)
             given = {option.key: values.pop(option.name) for option in options}
-            return command(request=make(_patch(preset, path, settings, given)), **values)
+            return command(request=make(request_patch(preset, path, _changes(given), settings or [], read)), **values)
 
         wrapper: Any = request_command  # a function with a signature of its own
         parameters = [*_option_parameters(options), *_source_parameters(), *own]
@@ -79,15 +84,13 @@ def takes_request(options: tuple[RequestOption, ...], make: Callable[[dict[str, 
     return decorate
 
 
-def _patch(
-    preset: str | None, path: str | None, settings: list[str] | None, given: Mapping[str, str | bool | None]
-) -> dict[str, Any]:
-    changes = {
+def _changes(given: Mapping[str, str | bool | None]) -> dict[str, Any]:
+    """The values of single options by path."""
+    return {
         key: text if isinstance(text, bool) or _ROWS[key]["type"] == "choice" else number_or_text(text)
         for key, text in given.items()
         if text is not None
     }
-    return request_patch(preset, path, changes, settings or [])
 
 
 def number_or_text(text: str) -> int | float | str | list:

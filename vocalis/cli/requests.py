@@ -2,7 +2,7 @@
 
 import json
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,18 +13,23 @@ from vfcore.spec.request import flat
 
 
 def request_patch(
-    preset: str | None, path: str | None, changes: Mapping[str, Any], settings: Sequence[str]
+    preset: str | None,
+    path: str | None,
+    changes: Mapping[str, Any],
+    settings: Sequence[str],
+    read: Callable[[Any], dict[str, Any]] = flat,
 ) -> dict[str, Any]:
     """All sources as one patch, not yet resolved.
 
-    ``changes``: values by dotted path. ``settings``: texts PATH=VALUE. ParameterError for an unknown preset, a file
+    ``changes``: values by dotted path. ``settings``: texts PATH=VALUE. ``read``: makes the patch of the
+    document in a file. ParameterError for an unknown preset, a file
     that cannot be read, a text without a path, a field that no request has.
     """
     patch: dict[str, Any] = {}
     if preset is not None:
         patch |= flat(_preset(preset))
     if path is not None:
-        patch = _merged(patch, flat(read_document("--request", path)))
+        patch = _merged(patch, read(read_document("--request", path)))
     patch = _merged(patch, changes)
     for setting in settings:
         key, separator, text = setting.partition("=")

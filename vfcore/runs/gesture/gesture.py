@@ -13,9 +13,11 @@ from vfcore.errors import ParameterError
 from vfcore.runs.gesture.track import Track, track_from_pairs
 from vfcore.spec.address import computation
 from vfcore.spec.paths import DECLARATIONS, NUMBERS, OPTIONAL_PARTS
+from vfcore.spec.request import KIND as SIMULATION
 from vfcore.spec.request import document_of, flat, nested, patched, resolve
 from vfcore.spec.simulation import VOWELS, Simulation
 
+KIND = "gesture"
 #: Numbers that may move in time: all but those of the run, which are fixed before it starts.
 MOVABLE = tuple(path for path in NUMBERS if not path.startswith("run."))
 
@@ -60,9 +62,18 @@ class Gesture:
         return (0.0, *sorted(inside), end)
 
 
+def gesture_patch(document: Any) -> dict[str, Any]:
+    """The patch of a gesture document, whose ``kind`` may be gesture or simulation; ParameterError as of ``flat``."""
+    if isinstance(document, Mapping) and "kind" in document:
+        if document["kind"] not in (KIND, SIMULATION):
+            raise ParameterError("kind", f"{document['kind']!r} is not a gesture", f"{KIND} | {SIMULATION}")
+        document = {key: value for key, value in document.items() if key != "kind"}
+    return flat(document)
+
+
 def gesture_from_dict(document: Mapping[str, Any]) -> Gesture:
     """A request document with breakpoint lists; ParameterError for the first field that cannot be used."""
-    patch = flat(document)
+    patch = gesture_patch(document)
     tracks = []
     for path, value in patch.items():
         if not isinstance(value, list) or not DECLARATIONS[path].is_number:
