@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from tests.support.airways_twin import AirwaysTwin
-from tests.support.fold_harness import get_state, product_and_twin
+from tests.support.fold_harness import get_state, product_and_twin, with_constants
 from vfcore.airways.coupled import Airways, airways
 from vfcore.airways.tract import Tract
-from vfcore.fold.assemble import beam, membrane, with_constants
+from vfcore.fold.assemble import beam, membrane
 from vfcore.fold.march import TimeMarch
 from vfcore.kernels.layout import RECORD
 from vfcore.runs.one import simulate

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin
-from vfcore.fold.assemble import beam, membrane, with_constants
+from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin, with_constants
+from vfcore.fold.assemble import beam, membrane
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import time_step_s
 from vfcore.fold.statics import static_shape_of

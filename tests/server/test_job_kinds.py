@@ -98,7 +98,7 @@ def kind_names_compared(path: Path) -> list[int]:
     ]
 
 
-@pytest.mark.parametrize("room", ["jobs", "routes", "http"])
+@pytest.mark.parametrize("room", ["jobs", "routes", "http", "schemas"])
 def test_no_room_compares_the_kind_of_a_job(room):
     found = {path.name: lines for path in (SERVER / room).rglob("*.py") if (lines := kind_names_compared(path))}
     assert not found

@@ -1,4 +1,4 @@
-"""A gesture over HTTP: contours and stretches, sound and tables to fetch after it, refusals by place."""
+"""A gesture over HTTP: contours and segments, links to its sound and tables, refusals by path."""
 
 import io
 import wave
@@ -30,7 +30,7 @@ def test_it_answers_what_python_renders(answer):
     assert answer["provenance"]["request"]["vowel"] == GLIDE["vowel"]
 
 
-def test_its_sound_and_tables_can_be_had(answer, client):
+def test_its_links_lead_to_sound_and_tables(answer, client):
     with wave.open(io.BytesIO(client.get(answer["links"]["audio"][len("/api/v1") :]).content)) as file:
         assert (file.getframerate(), file.getnframes()) == (48000, 38400)
         assert np.abs(np.frombuffer(file.readframes(38400), "<i2")).max() > 20000
@@ -49,7 +49,7 @@ def test_its_sound_and_tables_can_be_had(answer, client):
         ({"vowel": [[0, "x"]]}, "vowel.0.1"),
     ],
 )
-def test_a_bad_breakpoint_is_refused_by_its_place(client, change, path):
+def test_a_bad_breakpoint_is_refused_by_its_path(client, change, path):
     answer = client.post("/gestures", json=GLIDE | change)
     assert answer.status_code == 422
     assert path in {error["path"] for error in answer.json()["errors"]}

@@ -1,5 +1,7 @@
 """The fold and its twin at the same posture, and conversion of states between the two."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from tests.support.fold_twin import FoldTwin, State
@@ -39,6 +41,11 @@ def product_and_twin(
     )
     fold = assemble(request, coefficients(strain, a_ta, numbers), theta_g, numbers.rest_angle_rad)
     return fold, FoldTwin(strain, a_ta, theta_g, theta_conv, nx, ny, coupling_gradient, shear, numbers)
+
+
+def with_constants(fold: Fold, **changes: float) -> Fold:
+    """The same fold with other constants of motion (dampers, contact); its coefficients stay."""
+    return replace(fold, constants=replace(fold.constants, **changes))
 
 
 def put_state(march: TimeMarch, state: State) -> None:

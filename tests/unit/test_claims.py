@@ -24,8 +24,8 @@ from tests.support.synthetic_evidence import (
     voice_of,
     wave,
 )
-from vfcore.spec.simulation import PAPER_STEP_S, Simulation
-from vocalis.studies.paper import CASES, CLAIMS, Verdict, cases, evidence
+from vfcore.spec.simulation import Simulation
+from vocalis.studies.paper import CASES, CLAIMS, Verdict, evidence
 from vocalis.studies.paper.claims.claim import PICTURES
 from vocalis.studies.paper.evidence import Timing
 
@@ -328,8 +328,7 @@ def test_cases_ask_for_what_the_paper_ran():
     assert len(grid) == 441 and (a.ct, a.ta, a.lca, a.ia, a.pca) == (0.2, 0.75, 0.6, 0.6, 0.0)
     last = CASES["static_adduction"].requests()[-1].activation
     assert (last.lca, last.ia, last.ct, last.ta, last.pca) == (1.0, 1.0, 0.1, 0.0, 0.0)
-    paper, own = cases.timing_requests()
-    assert paper.run.step_s == PAPER_STEP_S and own == Simulation()
+    assert CASES["timing"].requests() == [Simulation()]
 
 
 def test_evidence_of_a_run_is_one_cycle_whose_area_follows_from_its_shape():

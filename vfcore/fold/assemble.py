@@ -1,6 +1,6 @@
 """Assembly of a fold: from a posture and its coefficients to the buffer that the step works on."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -69,11 +69,6 @@ def assemble(request: Simulation, c: Coefficients, theta_g: float, theta_0: floa
         beam_matrix_n_m2=matrix,
         beam_load_n_m=load,
     )
-
-
-def with_constants(fold: Fold, **changes: float) -> Fold:
-    """The same fold with other constants of motion (dampers, contact); its coefficients stay."""
-    return replace(fold, constants=replace(fold.constants, **changes))
 
 
 def scalars(fold: Fold, time_step_s: float) -> np.ndarray:

@@ -15,8 +15,6 @@ import math
 import wave
 from fractions import Fraction
 from functools import lru_cache
-from os import PathLike
-from pathlib import Path
 
 import numpy as np
 
@@ -87,13 +85,6 @@ def to_wav_bytes(audio_pa: np.ndarray, normalize: bool = True, phonating: bool =
             f"true, or a sound of at most {FULL_SCALE_PA:.0f} Pa",
         )  # fmt: skip
     return _pcm16(faded * gain), gain
-
-
-def write_wav(path: str | PathLike, audio_pa: np.ndarray, normalize: bool = True, phonating: bool = True) -> float:
-    """Write ``to_wav_bytes`` to a file; returns the gain."""
-    content, gain = to_wav_bytes(audio_pa, normalize, phonating)
-    Path(path).write_bytes(content)
-    return gain
 
 
 def fade(count: int) -> np.ndarray:

@@ -88,22 +88,22 @@ def _points(
     folds = _folds(requests)
     while block := list(islice(folds, BLOCK)):
         done: dict[int, Point | VocalisError] = {}
-        motions: dict[int, MarchInput] = {}
+        inputs: dict[int, MarchInput] = {}
         marching: dict[int, _PosturedFold] = {}
         for place, found in enumerate(block):
             try:
                 if isinstance(found, VocalisError):
                     done[place] = found
                 elif found.request.model.coupling == "one_way":
-                    motions[place], marching[place] = _motion(found), found
+                    inputs[place], marching[place] = _march_input(found), found
                 else:
                     done[place] = _reduced(found, _coupled(found, stop), keys)
             except Cancelled:
                 raise
             except VocalisError as error:
                 done[place] = error
-        places, following = list(motions), 0
-        outcomes = march_many(list(motions.values()), single_precision=single_precision, stop=stop)
+        places, following = list(inputs), 0
+        outcomes = march_many(list(inputs.values()), single_precision=single_precision, stop=stop)
         marched = ((places[index], marching[places[index]], outcome) for index, outcome in outcomes)
         for place, point in (_batched if single_precision else _one_by_one)(marched, keys):
             done[place] = point
@@ -114,12 +114,12 @@ def _points(
             yield done[place]
 
 
-def _motion(found: _PosturedFold) -> MarchInput:
+def _march_input(found: _PosturedFold) -> MarchInput:
     run, fold = found.request.run, found.fold
     start = static_shape_of(fold) if run.start == "static" else None
     step_s = time_step_s(run, fold)
-    motion = MarchInput(fold, step_s, found.request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
-    return motion._replace(flow_only_samples=unused_samples(round(run.duration_s / motion.sample_s), motion.sample_s))
+    given = MarchInput(fold, step_s, found.request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+    return given._replace(flow_only_samples=unused_samples(round(run.duration_s / given.sample_s), given.sample_s))
 
 
 def _coupled(found: _PosturedFold, stop: Stop | None) -> MarchResult:
@@ -127,33 +127,33 @@ def _coupled(found: _PosturedFold, stop: Stop | None) -> MarchResult:
 
     Raises DivergenceError and Cancelled.
     """
-    motion = _motion(found)
-    airways = airways_of(found.request, motion.time_step_s)
-    march = TimeMarch(found.fold, motion.time_step_s, motion.pressure_pa, motion.rise_s, airways)
-    march.start_flat() if motion.start is None else march.start_static(motion.start)
-    record = march.run(round(motion.duration_s / motion.sample_s), None, stop)
-    return MarchResult(record, record[:, FLOW], motion.sample_s)
+    given = _march_input(found)
+    airways = airways_of(found.request, given.time_step_s)
+    march = TimeMarch(found.fold, given.time_step_s, given.pressure_pa, given.rise_s, airways)
+    march.start_flat() if given.start is None else march.start_static(given.start)
+    record = march.run(round(given.duration_s / given.sample_s), None, stop)
+    return MarchResult(record, record[:, FLOW], given.sample_s)
 
 
-#: Place in the block, what was set in motion, and what became of it.
-_Moved = tuple[int, _PosturedFold, MarchResult | DivergenceError]
+#: Place in the block, the fold, and the result of its march.
+_Marched = tuple[int, _PosturedFold, MarchResult | DivergenceError]
 
 
-def _one_by_one(moved: Iterable[_Moved], keys: Keys) -> Iterator[tuple[int, Point | VocalisError]]:
-    for place, found, outcome in moved:
+def _one_by_one(marched: Iterable[_Marched], keys: Keys) -> Iterator[tuple[int, Point | VocalisError]]:
+    for place, found, outcome in marched:
         yield place, _reduced(found, outcome, keys)
 
 
-def _batched(moved: Iterable[_Moved], keys: Keys) -> Iterator[tuple[int, Point | VocalisError]]:
+def _batched(marched: Iterable[_Marched], keys: Keys) -> Iterator[tuple[int, Point | VocalisError]]:
     """The same with shared transforms of neighbours that are alike; those without a sound are reduced alone."""
-    for kind, neighbours in groupby(moved, _likeness):
+    for kind, neighbours in groupby(marched, _likeness):
         while group := list(islice(neighbours, BATCH)):
             batch = kind and BatchedFFT([run for _, _, run in group if isinstance(run, MarchResult)], kind[0])
             for nth, (place, found, outcome) in enumerate(group):
                 yield place, _reduced(found, outcome, keys, (batch, nth) if batch else None)
 
 
-def _likeness(one: _Moved) -> tuple[Tract, float, int, int] | None:
+def _likeness(one: _Marched) -> tuple[Tract, float, int, int] | None:
     """Tract, sampling interval and lengths, the same for runs that share transforms; None where there is no sound."""
     _, found, outcome = one
     if isinstance(outcome, DivergenceError) or not np.isfinite(outcome.flow_m3_s).all():

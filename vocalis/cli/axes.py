@@ -22,12 +22,12 @@ def sweep_of(
 ) -> Sweep:
     """The sweep of a document file, or of axes over ``base``; ParameterError for invalid input."""
     if (path is None) == (not axes):
-        raise ParameterError("--axis", "is missing" if path is None else "excludes --sweep", _ALLOWED)
+        raise ParameterError("--axis", "is missing" if path is None else "cannot be combined with --sweep", _ALLOWED)
     document: dict[str, Any]
     if path is None:
         document = {"kind": "sweep", "base": document_of(base), "axes": [axis(text) for text in axes]}
     elif base != Simulation():
-        raise ParameterError("--sweep", "excludes options of the base", "the base inside the document")
+        raise ParameterError("--sweep", "cannot be combined with options of the base", "the base inside the document")
     else:
         document = read_document("--sweep", path)
     if measures is not None:

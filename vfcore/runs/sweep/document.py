@@ -32,9 +32,8 @@ def sweep_from_dict(document: Mapping[str, Any]) -> Sweep:
         raise ParameterError("kind", f"{document['kind']!r} is not a sweep", "sweep")
     axes, points = document.get("axes"), document.get("points")
     if (axes is None) == (points is None):
-        raise ParameterError(
-            "axes", "and points are both given" if points is not None else "is missing", "either axes or points"
-        )
+        both = "cannot be combined with points"
+        raise ParameterError("axes", "is missing" if points is None else both, "either axes or points")
     sweep = Sweep(
         base=_base(document.get("base", {})),
         axes=_axes(axes) if axes is not None else (),
@@ -46,7 +45,9 @@ def sweep_from_dict(document: Mapping[str, Any]) -> Sweep:
     if len(sweep) > MOST_POINTS:
         raise ParameterError("axes", f"{len(sweep)} points are too many", f"up to {MOST_POINTS:g} points")
     if sweep.keep_waveforms and sweep.precision != "float64":
-        raise ParameterError("precision", "and keep_waveforms do not go together", "float64, or no waveforms")
+        raise ParameterError(
+            "precision", "float32 cannot be combined with keep_waveforms", "float64, or keep_waveforms false"
+        )
     if sweep.keep_waveforms and len(sweep) > MOST_WITH_WAVEFORMS:
         raise ParameterError(
             "keep_waveforms",

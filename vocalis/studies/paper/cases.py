@@ -7,7 +7,7 @@ Static figures and sweeps, for which it prints no levels, cover the whole range 
 from dataclasses import dataclass, field, replace
 from itertools import product
 
-from vfcore.spec.simulation import PAPER_STEP_S, Simulation
+from vfcore.spec.simulation import Simulation
 
 
 def evenly(intervals: int) -> tuple[float, ...]:
@@ -76,9 +76,3 @@ _ROWS = (
     Case("timing", "Wall time of 1 s of modal phonation", "timing", MODAL),
 )  # fmt: skip
 CASES: dict[str, Case] = {case.key: case for case in _ROWS}
-
-
-def timing_requests() -> tuple[Simulation, Simulation]:
-    """The timed runs: with the paper's time step, and with the default step."""
-    (own,) = CASES["timing"].requests()
-    return replace(own, run=replace(own.run, time_step_s=PAPER_STEP_S)), own
