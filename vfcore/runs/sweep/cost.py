@@ -1,9 +1,10 @@
 """The cost of a sweep, and the size of its tasks."""
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import product
+from typing import Any
 
 from vfcore.errors import ParameterError
 from vfcore.kernels.layout import LANES
@@ -21,7 +22,7 @@ _OVERHEAD_S = 2e-3  # per point: posture, coefficients, measures
 def point_node_steps(sweep: Sweep) -> float:
     """Upper bound of nodes × steps of one point; steps that stability shortens are not counted."""
     extremes = {DECLARATIONS[path].name: _extremes(values) for path, values in _varied_of_run(sweep).items()}
-    corners = (dict(zip(extremes, corner, strict=True)) for corner in product(*extremes.values()))
+    corners: Iterator[dict[str, Any]] = (dict(zip(extremes, one, strict=True)) for one in product(*extremes.values()))
     return max(replace(sweep.base.run, **corner).node_steps for corner in corners)
 
 
