@@ -126,7 +126,7 @@ def _field(item: dict[str, Any], body: Any) -> dict[str, str]:
             kinds = tuple(KINDS)
         models, place = [KINDS[place[0]].body], place[1:]
     if kind == "extra_forbidden":
-        path = _path([*place[:-1]], place[-1])
+        path = _path([*place[:-1]], place[-1]) or "a field without a name"
         return {"path": path, "message": "is not a known field", "allowed": known_names(models[0], place)}
     path = _path(place) or str(where)
     if kind == "kind_not_offered":
