@@ -20,9 +20,9 @@ def request_patch(
 ) -> dict[str, Any]:
     """All sources as one patch, not yet resolved.
 
-    ``changes``: values by dotted path. ``settings``: texts PATH=VALUE. ``read``: makes the patch of the
-    document in a file. ParameterError for an unknown preset, a file
-    that cannot be read, a text without a path, a field that no request has.
+    ``changes``: values by dotted path. ``settings``: texts PATH=VALUE. ``read``: makes the patch of the document in
+    a file. ParameterError for an unknown preset, a file that cannot be read, a text without a path, a field that no
+    request has.
     """
     patch: dict[str, Any] = {}
     if preset is not None:
