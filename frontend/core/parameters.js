@@ -32,8 +32,26 @@ const decimalsOf = (step) => (step ? Math.max(0, -Math.floor(Math.log10(step) + 
 /** Whether a path chooses the equations, on which the defaults of all other values depend. */
 export const isOfModel = (path) => OF_MODEL.test(path);
 
-/** The entries of a patch that choose the equations. */
-export const modelOf = (patch) => Object.fromEntries(Object.entries(patch).filter(([path]) => isOfModel(path)));
+/** The optional part that a path belongs to, or null. */
+export const optionalPartOf = (schema, path) => schema.parameters.get(path)?.optional_part ?? null;
+
+/** Names of the optional parts of which a patch gives a value. */
+export const partsGiven = (schema, patch) =>
+  new Set(
+    Object.entries(patch)
+      .filter(([, value]) => value !== null)
+      .map(([path]) => optionalPartOf(schema, path))
+      .filter((part) => part !== null),
+  );
+
+/**
+ * What the values in force of a patch depend on, beyond its own entries: the entries that choose the equations, and
+ * {} for each optional part that it gives. It is itself a patch.
+ */
+export const basisOf = (schema, patch) => ({
+  ...Object.fromEntries(Object.entries(patch).filter(([path]) => isOfModel(path))),
+  ...Object.fromEntries([...partsGiven(schema, patch)].map((part) => [part, {}])),
+});
 
 /**
  * A patch as text, equal for equal patches, without the entries at the paths `except`.
@@ -94,12 +112,18 @@ export function postureRequest(patch) {
 export const keptByPresets = (patch) =>
   Object.fromEntries(Object.entries(patch).filter(([path]) => KEPT_BY_PRESETS.test(path)));
 
-/** The preset with these values in force, or null. `defaults`: the values in force without a patch. */
-export function presetOf(schema, values, defaults) {
-  const paths = [...schema.parameters.keys()].filter((path) => !KEPT_BY_PRESETS.test(path));
+/** The preset whose values are in force under a patch, or null. `defaults`: the values in force under its basis. */
+export function presetOf(schema, patch, defaults) {
+  const basis = patchText(basisOf(schema, patch));
+  const kept = keptByPresets(patch);
   const is = (preset) => {
-    const wanted = entriesOf(preset);
-    return paths.every((path) => values[path] === (path in wanted ? wanted[path] : defaults[path]));
+    const wanted = { ...kept, ...entriesOf(preset) };
+    const paths = Object.keys({ ...patch, ...wanted });
+    const valueUnder = (of, path) => (path in of ? of[path] : defaults[path]);
+    return (
+      patchText(basisOf(schema, wanted)) === basis &&
+      paths.every((path) => valueUnder(patch, path) === valueUnder(wanted, path))
+    );
   };
   return schema.presets.find(is) ?? null;
 }

@@ -21,8 +21,8 @@ export function TypedValue({ path, id, placeholder, label, wide = false }) {
   const commit = () => {
     if (field.current.value === text) return;
     const wanted = typed(field.current.value);
-    if (wanted === null && !row.nullable) field.current.value = text;
-    else setValue(path, wanted);
+    if (wanted !== null || row.nullable) setValue(path, wanted);
+    field.current.value = textOf(values.peek()[path], row); // an emptied field shows the value in force
   };
   return html`
     <input
