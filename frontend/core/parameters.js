@@ -2,12 +2,12 @@
 
 const MUSCLE = /^(.*) \(([A-Z]+)\)$/;
 const OF_MODEL = /^model\./;
-const KEPT_BY_PRESETS = /^(vowel$|model\.|run\.|constants\.)/;
 const SET_BY_THE_PAGE = new Set(["run.duration_s"]);
 
 /**
  * @returns {{parameters: Map, presets: Array, vowels: Array, variants: Array}} parameters by dotted path, with `name`,
- * `short` (abbreviation or symbol) and `decimals` filled in. Values of an optional part may be null: not given.
+ * `short` (abbreviation or symbol), `decimals` and `options` (also of a boolean) filled in. Values of an optional part
+ * may be null: not given.
  */
 export function readSchema(document) {
   const parameters = new Map();
@@ -17,6 +17,7 @@ export function readSchema(document) {
     parameters.set(row.key, {
       ...row,
       nullable: row.nullable || Boolean(row.optional_part),
+      options: row.type === "boolean" ? [true, false] : row.options,
       name: capital(named ? named[1] : row.label),
       short: named ? named[2] : row.symbol,
       decimals: decimalsOf(row.step),
@@ -108,14 +109,21 @@ export function postureRequest(patch) {
   return body;
 }
 
-/** The entries of a patch that a preset leaves alone. */
-export const keptByPresets = (patch) =>
-  Object.fromEntries(Object.entries(patch).filter(([path]) => KEPT_BY_PRESETS.test(path)));
+/**
+ * The entries of a patch that a preset leaves alone: those outside the groups that presets set. A preset also takes
+ * back every optional part, which could replace the muscles.
+ */
+export function keptByPresets(schema, patch) {
+  const groupOf = (path) => schema.parameters.get(path)?.group;
+  const set = new Set(schema.presets.flatMap((preset) => Object.keys(entriesOf(preset)).map(groupOf)));
+  const isKept = (path) => optionalPartOf(schema, path) === null && !set.has(groupOf(path));
+  return Object.fromEntries(Object.entries(patch).filter(([path]) => isKept(path)));
+}
 
 /** The preset whose values are in force under a patch, or null. `defaults`: the values in force under its basis. */
 export function presetOf(schema, patch, defaults) {
   const basis = patchText(basisOf(schema, patch));
-  const kept = keptByPresets(patch);
+  const kept = keptByPresets(schema, patch);
   const is = (preset) => {
     const wanted = { ...kept, ...entriesOf(preset) };
     const paths = Object.keys({ ...patch, ...wanted });

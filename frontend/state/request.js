@@ -103,7 +103,7 @@ export function resetValue(path) {
 
 export function choosePreset(key) {
   const chosen = _schema.peek().presets.find((row) => row.key === key);
-  change(withEntries(keptByPresets(_patch.peek()), entriesOf(chosen)), `preset ${key}`);
+  change(withEntries(keptByPresets(_schema.peek(), _patch.peek()), entriesOf(chosen)), `preset ${key}`);
 }
 
 /** Exactly this patch again, for undo; or, for a lesson or a cell of a map, this patch with further entries. */

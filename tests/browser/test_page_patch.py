@@ -63,6 +63,24 @@ WAYS = """async (cases) => {
   stop();
   return found;
 }"""
+#: The server's schema with two more optional parts, before the page reads it.
+NEW_PARTS = """
+const read = Response.prototype.json;
+Response.prototype.json = async function () {
+  const document = await read.call(this);
+  if (!document.parameters) return document;
+  const strain = document.parameters.find((row) => row.key === "posture.strain");
+  for (const [part, name, more] of [
+    ["lesion", "height_mm", { type: "number" }],
+    ["lesion", "kind", { type: "choice", options: ["nodule", "polyp"] }],
+    ["patient", "is_asleep", { type: "boolean" }],
+  ])
+    document.parameters.push(
+      { ...strain, key: `${part}.${name}`, label: name, group: part, optional_part: part, ...more },
+    );
+  return document;
+};
+"""
 ANSWERED = """async () => {
   const [{ answered }, { version }] = await Promise.all([import("/state/answers.js"), import("/state/request.js")]);
   return answered.value === version.value;
@@ -272,6 +290,29 @@ def test_one_value_of_an_optional_part_shows_all_values_that_come_with_it(visit)
     linked = visit("?posture.rest_angle_rad=0.3")
     linked.page.locator(".advanced summary").click()
     assert linked.slider("posture.glottal_half_angle_rad").input_value() == "0.000"
+
+
+def test_a_new_optional_part_gets_controls_and_is_taken_back_by_a_preset(visit):
+    here = visit(init=NEW_PARTS)
+    here.expected = re.compile("422")  # the server does not know the parts
+    here.page.locator(".advanced summary").click()
+    height, kind = here.slider("lesion.height_mm"), here.slider("lesion.kind")
+    assert height.get_attribute("placeholder") == "not given"
+    assert here.slider("posture.strain").get_attribute("placeholder") == "by the muscles"
+    assert kind.locator("option").all_inner_texts() == ["not given", "nodule", "polyp"]
+    assert here.slider("patient.is_asleep").locator("option").all_inner_texts() == ["not given", "yes", "no"]
+    patch = "async () => (await import('/state/request.js')).patch.value"
+    height.fill("1")
+    height.press("Tab")
+    kind.select_option("polyp")
+    here.slider("patient.is_asleep").select_option("no")
+    wanted = {"lesion.height_mm": 1, "lesion.kind": "polyp", "patient.is_asleep": False}
+    assert here.page.evaluate(patch) == wanted
+    kind.select_option("not given")
+    assert here.page.evaluate(patch) == {key: wanted[key] for key in wanted if key != "lesion.kind"}
+    here.page.get_by_label("Voice").select_option("breathy")
+    assert here.page.evaluate(patch) == {"activation.pca": 0.5}
+    here.settle()
 
 
 def test_old_values_stay_until_the_new_ones_are_there_and_a_failed_call_is_repeated(visit):
