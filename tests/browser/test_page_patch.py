@@ -85,13 +85,13 @@ ANSWERED = """async () => {
   const [{ answered }, { version }] = await Promise.all([import("/state/answers.js"), import("/state/request.js")]);
   return answered.value === version.value;
 }"""
-#: What the page says to the worker of a played voice.
-SAID = """
-window.said = [];
+#: What the page sends to the worker of a played voice.
+SENT = """
+window.sent = [];
 const post = Worker.prototype.postMessage;
 Worker.prototype.postMessage = function (message, ...rest) {
-  if (message.open) window.said.push(message.open.first);
-  else if (message.send) window.said.push(message.send);
+  if (message.open) window.sent.push(message.open.first);
+  else if (message.send) window.sent.push(message.send);
   return post.call(this, message, ...rest);
 };
 """
@@ -347,7 +347,7 @@ def test_a_refused_model_is_named_and_the_page_goes_on(visit):
 
 
 def test_a_played_voice_gets_the_patch_and_then_what_changes(visit):
-    here = visit("?activation.ct=0.6&model.variant=human", init=SAID)
+    here = visit("?activation.ct=0.6&model.variant=human", init=SENT)
     here.page.get_by_role("tab", name="Play", exact=True).click()
     here.page.get_by_role("button", name="Play live").click()
     sounding = "async () => (await import('/state/played-voice.js')).status.value === 'on'"
@@ -355,10 +355,10 @@ def test_a_played_voice_gets_the_patch_and_then_what_changes(visit):
     slider = here.slider("activation.ct")
     slider.locator("..").dblclick(position={"x": 3, "y": 3})
     here.page.wait_for_url("**/?model.variant=human")
-    said = here.page.evaluate("said")
-    assert said[0] == {"activation": {"ct": 0.6}, "model": {"variant": "human"}}
-    assert said[-1]["activation"] == {"ct": 0.3}, "a reset says the value in force"
+    sent = here.page.evaluate("sent")
+    assert sent[0] == {"activation": {"ct": 0.6}, "model": {"variant": "human"}}
+    assert sent[-1]["activation"] == {"ct": 0.3}, "a reset sends the value in force"
     here.page.locator(".variant select").select_option("paper")
-    here.page.wait_for_function("() => said.some((one) => Object.keys(one).length === 0)")
+    here.page.wait_for_function("() => sent.some((one) => Object.keys(one).length === 0)")
     here.page.wait_for_function(sounding)
     here.page.get_by_role("button", name="Stop").first.click()

@@ -46,14 +46,14 @@ export function MeasureTable() {
 }
 
 function CopyButton() {
-  const [said, say] = useState("");
+  const [outcome, setOutcome] = useState("");
   const copy = async () => {
     const rows = measureRows(catalogue.peek(), result.peek()?.measures ?? {}, COPY_TABLE.columns);
-    say((await copyText(asTsv(rows), asMarkup(rows))) ? COPY_TABLE.copied : COPY_TABLE.failed);
+    setOutcome((await copyText(asTsv(rows), asMarkup(rows))) ? COPY_TABLE.copied : COPY_TABLE.failed);
   };
   return html`
     <p class="copy-table">
-      <span role="status" class="when">${said}</span>
+      <span role="status" class="when">${outcome}</span>
       <button type="button" class="button small" onClick=${copy}>${COPY_TABLE.copy}</button>
     </p>
   `;
