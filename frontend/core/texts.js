@@ -2,7 +2,7 @@
 
 export const APP = {
   name: "Vocalis",
-  use: "Model of an adult larynx, for research and teaching; not a medical device.",
+  use: "Adult larynx; research and teaching, not a medical device.",
   unencryptedShort: "Live sound needs TLS here.",
   unencrypted:
     "Browsers block live sound and the clipboard on pages without HTTPS. --tls-cert and --tls-key turn it on.",

@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 
 from vfcore.runs.gesture.gesture import MOVABLE, Gesture, gesture_from_dict
 from vfcore.runs.gesture.track import LATEST_S, MOST_BREAKPOINTS
-from vfcore.spec.paths import LARYNX, NAMES_IN, OPTIONAL_PARTS
+from vfcore.spec.paths import LARYNX, NAMES_IN, OPTIONAL_PARTS, PARTS
 from vfcore.spec.request import resolve
 from vfcore.spec.schema import parameter_schema
 from vfcore.spec.simulation import Simulation
@@ -72,15 +72,25 @@ def _whole(value: Any) -> Any:
 
 def _parts(suffix: str = "Body", moving: bool = False) -> tuple[dict[str, Any], dict[str, type[BaseModel]]]:
     """Fields at the top of a request, and one model per object in it."""
-    top: dict[str, Any] = {}
     objects: dict[str, type[BaseModel]] = {}
-    for part, names in NAMES_IN.items():
-        fields: dict[str, Any] = {name: _field(ROWS[f"{part}.{name}" if part else name], moving) for name in names}
-        if part:
-            objects[part] = create_model(f"{part.capitalize()}{suffix}", __config__=STRICT, **fields)
-        else:
-            top = fields
-    return top, objects
+    for part in reversed((*PARTS, LARYNX)):  # inner objects first
+        fields: dict[str, Any] = {name: _field(ROWS[f"{part}.{name}"], moving) for name in NAMES_IN[part]}
+        fields |= _part_fields(objects, part)
+        name = "".join(word.capitalize() for word in part.split("."))
+        objects[part] = create_model(f"{name}{suffix}", __config__=STRICT, **fields)
+    top = {name: _field(ROWS[name], moving) for name in NAMES_IN[""]}
+    return top, {part: objects[part] for part in (*PARTS, LARYNX)}
+
+
+def _part_fields(objects: dict[str, type[BaseModel]], inside: str = "") -> dict[str, tuple[Any, Any]]:
+    """The objects directly in a part as fields; "" for those of a request."""
+    return {
+        part.rpartition(".")[2]: (model | None, None)
+        if part in OPTIONAL_PARTS
+        else (model, Field(default_factory=model))
+        for part, model in objects.items()
+        if part.rpartition(".")[0] == inside
+    }
 
 
 class _Kind(BaseModel):
@@ -98,13 +108,6 @@ class _Kind(BaseModel):
 
 
 _TOP, _OBJECTS = _parts()
-
-
-def _part_fields(objects: dict[str, type[BaseModel]]) -> dict[str, tuple[Any, Any]]:
-    return {
-        name: (model | None, None) if name in OPTIONAL_PARTS else (model, Field(default_factory=model))
-        for name, model in objects.items()
-    }
 
 
 _OBJECT_FIELDS = _part_fields(_OBJECTS)

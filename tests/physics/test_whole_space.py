@@ -17,6 +17,7 @@ from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.posture_sets import POSTURE_SETS
 from vfcore.spec.simulation import (
     COUPLING_GRADIENTS,
+    COUPLINGS,
     SHEAR_FORMS,
     VARIANTS,
     VOWELS,
@@ -68,6 +69,7 @@ MODELS = st.builds(
     posture_set=st.sampled_from([None, *POSTURE_SETS]),
     coupling_gradient=st.sampled_from([None, *COUPLING_GRADIENTS]),
     shear=st.sampled_from([None, *SHEAR_FORMS]),
+    coupling=st.sampled_from([None, *COUPLINGS]),
 )
 RUNS = st.builds(
     lambda grid, duration, start, rise: Run(duration, *grid, start=start, pressure_rise_s=rise),
@@ -89,7 +91,9 @@ def check(request):
     for name, values in arrays.items():
         assert name in MAY_BE_NAN or np.isfinite(values).all(), name
     assert np.abs(arrays["cycle_w_m"]).max() < 2 * LARGEST_DISPLACEMENT_M  # checked every 5 ms only
-    assert (arrays["glottal_area_m2"] >= 0).all() and (arrays["glottal_flow_m3_s"] >= 0).all()
+    assert (arrays["glottal_area_m2"] >= 0).all()
+    if request.model.coupling == "one_way":  # the waves of coupled airways can draw air back through the glottis
+        assert (arrays["glottal_flow_m3_s"] >= 0).all()
     assert (arrays["contact_pressure_max_pa"] >= 0).all()
     whole = result.coefficients.length_m * result.coefficients.thickness_m
     assert ((arrays["contact_area_m2"] >= 0) & (arrays["contact_area_m2"] <= whole * (1 + 1e-9))).all()

@@ -14,6 +14,7 @@ from tests.server.jobs_harness import JobSystem
 from vfcore.errors import ParameterError
 from vfcore.runs.sweep import sweep_from_dict, sweep_to_dict
 from vfcore.runs.sweep.row import Row, columns
+from vfcore.spec.address import Computation
 from vfcore.spec.request import document_of, resolve
 from vocalis.server.exceptions import NoSuchJob
 from vocalis.server.jobs.kinds.sweep import SWEEP
@@ -29,10 +30,10 @@ RESULT = vfcore.simulate(resolve(RUNS[0]))
 PROBLEM = {"type": "urn:test", "title": "t", "status": 422, "detail": "d"}
 
 
-def row_of(document: dict) -> Row:
+def row_of(computation: Computation) -> Row:
     """A row that tells which point it is of."""
     width = len(columns(sweep_from_dict(SWEEPS[0])))
-    return Row("periodic", np.full(width, document["activation"]["ct"]), {}, None)
+    return Row("periodic", np.full(width, computation.settings["activation.ct"]), {}, None)
 
 
 class Jobs(RuleBasedStateMachine):

@@ -5,6 +5,7 @@ import pytest
 from tests.server.dask_cluster import scheduler, workers
 from tests.server.live_server import finish, run, serving, wait_until
 from vfcore.runs.sweep import run_sweep, sweep_from_dict
+from vocalis.server.jobs.cluster import CONNECT_S
 
 SWEEP = {
     "kind": "sweep",
@@ -67,4 +68,6 @@ def test_a_sweep_waits_for_a_scheduler_that_is_not_there_and_can_be_dismissed():
         wait_until(lambda: client.get(f"/jobs/{job['id']}").json()["status"] == "running")
         assert client.get("/health").json()["ready"], "what is not a sweep goes on"
         client.delete(f"/jobs/{job['id']}")
-        wait_until(lambda: not server.services.jobs.scheduler.busy, 8)
+        assert client.get(f"/jobs/{job['id']}").json()["status"] == "dismissed"
+        # Two attempts to connect may be under way, one after the other.
+        wait_until(lambda: not server.services.jobs.scheduler.busy, 3 * CONNECT_S)

@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 
 from vfcore.errors import ParameterError
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.runs.gesture.gesture import MOVABLE, gesture_from_dict
+from vfcore.runs.gesture.gesture import MOVABLE, gesture_address, gesture_from_dict
 from vfcore.runs.sweep import sweep_from_dict
 from vfcore.spec.address import address, computation
 from vfcore.spec.larynx import CONSTANTS
-from vfcore.spec.paths import DECLARATIONS, NUMBERS
+from vfcore.spec.paths import DECLARATIONS, NUMBERS, value_at
 from vfcore.spec.posture_sets import POSTURE_SETS
-from vfcore.spec.request import document_of, flat, nested, patch_of, patched, resolve, values_of
+from vfcore.spec.request import document_of, flat, merged, nested, patch_of, patched, resolve, values_of
 from vfcore.spec.simulation import COUPLING_GRADIENTS, COUPLINGS, SHEAR_FORMS, VARIANTS, Simulation
 from vocalis.cli.requests import request_patch
 
@@ -159,6 +159,133 @@ def test_the_shortest_patch_omits_the_choices_of_the_variant(model, patch):
             continue  # a given posture is named in full
         without = {other: value for other, value in shortest.items() if other != path}
         assert resolved(without) != request, f"{path} says nothing"
+
+
+BASES = {
+    "paper": {},
+    "human": {"model.variant": "human"},
+    "woman with a given posture": {
+        "model": {"variant": "human_female", "posture_set": "titze2006", "coupling": "one_way"},
+        "posture": {"strain": 0.1}, "constants": {"K_col_pa_m": 2e6}, "vowel": "i",
+    },
+}  # fmt: skip
+
+
+def another_value(request: Simulation, path: str):
+    """A value near the one in force, and different from it."""
+    metadata, now = DECLARATIONS[path].metadata, value_at(request, path)
+    if metadata["type"] == "boolean":
+        return not now
+    if metadata["type"] == "choice":
+        return next(option for option in metadata["options"] if option != now)
+    if metadata["type"] == "integer":
+        return now + 1
+    low, high = metadata["low"], metadata["high"]
+    if now is None or now == 0:
+        return low + 0.001 * (high - low) if low >= 0 else 0.001 * high
+    return now * 1.001 if low <= now * 1.001 <= high else now * 0.999
+
+
+@pytest.mark.parametrize("path", DECLARATIONS)
+@pytest.mark.parametrize("base", BASES.values(), ids=BASES)
+def test_every_single_value_is_part_of_the_address(base, path):
+    """One value changed: another address exactly when another computation, for a run and for a point of a sweep."""
+    request = resolve(base)
+    value = another_value(request, path)
+    changed = patched(request, {path: value})
+    assert changed == resolve(merged(flat(document_of(request)), {path: value})) or path.startswith("model.")
+    assert (address(changed) == address(request)) == (meaning(changed) == meaning(request))
+    if not path.startswith("model."):
+        assert address(changed) != address(request)
+    if DECLARATIONS[path].is_number:
+        sweep = sweep_from_dict({"base": base, "axes": [{"parameter": path, "values": [value]}]})
+        assert sweep.computation(0) == computation(changed)
+        plain = sweep_from_dict({"base": base, "points": [{}]})
+        assert sweep.address(0) != plain.address(0) and sweep.content != plain.content
+
+
+@pytest.mark.parametrize("base", BASES.values(), ids=BASES)
+@pytest.mark.parametrize("choice", ["variant", "posture_set", "coupling_gradient", "shear", "coupling"])
+def test_a_choice_of_the_model_keeps_all_else(base, choice):
+    """A patch of the model on a request is the request that names both from the start."""
+    for option in DECLARATIONS[f"model.{choice}"].metadata["options"]:
+        patch = {f"model.{choice}": option}
+        assert patched(resolve(base), patch) == resolve(merged(flat(base), patch))
+
+
+def test_a_posture_given_or_not_is_part_of_the_address():
+    given, not_given = resolve({"posture": {}}), resolve({})
+    assert address(given) != address(not_given) == address(patched(given, {"posture": None}))
+
+
+def test_tied_numbers_of_different_types_have_the_address_of_the_single_run():
+    for tied in (["subglottal_pressure_pa", "run.nx"], ["run.nx", "subglottal_pressure_pa"]):
+        sweep = sweep_from_dict({"axes": [{"parameter": tied, "values": [20]}]})
+        assert sweep.computation(0).address() == address(resolve({"subglottal_pressure_pa": 20, "run": {"nx": 20}}))
+
+
+def test_everything_that_changes_a_sweep_changes_its_address():
+    axis = {"parameter": "activation.ct", "values": [0.1, 0.2]}
+    documents = [
+        {"axes": [axis]},
+        {"axes": [axis | {"values": [0.1, 0.3]}]},
+        {"axes": [axis | {"parameter": "activation.ta"}]},
+        {"axes": [axis | {"parameter": ["activation.ct", "activation.ta"]}]},
+        {"axes": [axis, {"parameter": "activation.ta", "values": [0.1]}]},
+        {"axes": [axis], "base": {"vowel": "i"}},
+        {"axes": [axis], "measures": ["fo_hz"]},
+        {"axes": [axis], "precision": "float32"},
+        {"axes": [axis], "keep_waveforms": True},
+        {"points": [{"activation.ct": 0.1}, {"activation.ct": 0.2}]},
+        {"points": [{"activation.ct": 0.1}]},
+    ]
+    assert len({sweep_from_dict(document).content for document in documents}) == len(documents)
+    points = {sweep_from_dict(document).address(0) for document in documents}
+    assert len(points) == 6, "points differ by numbers, base, measures and precision only"
+
+
+@pytest.mark.parametrize("version", ["MODEL_VERSION", "ADDRESS_VERSION"])
+def test_versions_are_part_of_every_address(version, monkeypatch):
+    request, gesture = resolve({}), gesture_from_dict({"activation": {"ct": [[0, 0.1], [1, 0.2]]}})
+
+    def addresses() -> list[str]:
+        sweep = sweep_from_dict({"points": [{}]})
+        return [address(request), sweep.address(0), sweep.content, gesture_address(gesture)]
+
+    old = addresses()
+    monkeypatch.setattr(f"vfcore.spec.address.{version}", "another")
+    new = addresses()
+    assert not set(old) & set(new)
+
+
+def test_a_measure_with_another_formula_gives_rows_another_address(monkeypatch):
+    before = sweep_from_dict({"points": [{}]}).address(0)
+    row = CATALOGUE["fo_hz"]
+    monkeypatch.setitem(CATALOGUE._by_key, "fo_hz", dataclasses.replace(row, version=row.version + "x"))
+    assert sweep_from_dict({"points": [{}]}).address(0) != before
+
+
+def test_everything_that_moves_is_part_of_the_address_of_a_gesture():
+    documents = [
+        {},
+        {"activation": {"ct": [[0, 0.1], [1, 0.2]]}},
+        {"activation": {"ct": [[0, 0.1], [1, 0.3]]}},
+        {"activation": {"ct": [[0, 0.1], [1.1, 0.2]]}},
+        {"activation": {"ta": [[0, 0.1], [1, 0.2]]}},
+        {"activation": {"ct": [[0, 0.1], [1, 0.2]]}, "vowel": "i"},
+        {"vowel": [[0, "a"], [1, "i"]]},
+        {"vowel": [[0, "a"], [1, "u"]]},
+    ]
+    assert len({gesture_address(gesture_from_dict(document)) for document in documents}) == len(documents)
+    same = [{"vowel": [[0, "i"]], "constants": {"epsilon_2_ta": [[0, -0.0], [1, 0.1]]}},
+            {"vowel": "i", "constants": {"epsilon_2_ta": [[0, 0.0], [1, 0.1]]}}]  # fmt: skip
+    assert len({gesture_address(gesture_from_dict(document)) for document in same}) == 1
+
+
+def test_a_later_patch_removes_or_restores_an_optional_part():
+    given, none = {"posture.strain": 0.1}, {"posture": None}
+    assert merged(given, none) == none and merged(none, given) == given
+    assert merged(given, {"posture.strain": 0.2, "vowel": "i"}) == {"posture.strain": 0.2, "vowel": "i"}
 
 
 def test_all_measures_by_name_are_all_measures():

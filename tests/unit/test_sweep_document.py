@@ -34,6 +34,8 @@ CT = {"parameter": "activation.ct", "values": [0, 0.5, 1]}
         ({"points": [{}, {"activation.ct": 3}]}, "points.1.activation.ct"),
         ({"points": [{"activation": {"ct": 3}}]}, "points.0.activation.ct"),
         ({"points": [7]}, "points.0"),
+        ({"points": [{"run.time_step_s": None}]}, "points.0.run.time_step_s"),
+        ({"axes": [{"parameter": "run.time_step_s", "values": [1e-5, None]}]}, "axes.0.values.1"),
         ({"axes": [CT], "base": {"activation": {"ta": 2}}}, "base.activation.ta"),
         ({"axes": [CT], "base": []}, "base"),
         ({"axes": [CT], "measures": ["fo_hz", "f0"]}, "measures.1"),

@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from vfcore.spec.larynx import CONSTANTS
-from vfcore.spec.paths import LARYNX, OPTIONAL_PARTS, PARTS
+from vfcore.spec.paths import DECLARATIONS, LARYNX, default_values
 from vfcore.spec.request import values_of
 from vfcore.spec.simulation import Simulation
 from vfcore.version import ADDRESS_VERSION, MODEL_VERSION
@@ -38,8 +38,9 @@ class Computation(NamedTuple):
             if part == LARYNX:
                 changed[name] = value
                 continue
-            if part in OPTIONAL_PARTS and settings.pop(part, part) is None:
-                settings |= _defaults(part)
+            for optional in DECLARATIONS[path].optional:
+                if settings.pop(optional, optional) is None:
+                    settings |= default_values(optional)
             settings[path] = value
         if changed:
             constants = tuple(changed.get(name, value) for name, value in zip(CONSTANTS, constants, strict=True))
@@ -77,8 +78,3 @@ def content_hash(document: Any) -> str:
 def _digest(constants: tuple[float, ...]) -> str:
     """Hash of the constants, cached: most points of a sweep share them."""
     return content_hash(constants)
-
-
-def _defaults(part: str) -> dict[str, Any]:
-    made = PARTS[part]()
-    return {f"{part}.{name}": getattr(made, name) for name in made.__slots__}

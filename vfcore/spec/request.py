@@ -12,7 +12,18 @@ from typing import Any
 
 from vfcore.errors import ParameterError
 from vfcore.spec.larynx import KNOWN_CONSTANTS, larynx_of
-from vfcore.spec.paths import DECLARATIONS, LARYNX, NAMES_IN, OPTIONAL_PARTS, PARTS, differing, one_form, value_at
+from vfcore.spec.paths import (
+    DECLARATIONS,
+    LARYNX,
+    NAMES_IN,
+    OPTIONAL_PARTS,
+    PARTS,
+    absent_parts,
+    default_values,
+    differing,
+    one_form,
+    value_at,
+)
 from vfcore.spec.simulation import Model, Simulation
 
 KIND = "simulation"
@@ -44,12 +55,25 @@ def flat(asked: Any, at: str = "request") -> dict[str, Any]:
     return patch
 
 
+def merged(patch: Mapping[str, Any], later: Mapping[str, Any]) -> dict[str, Any]:
+    """A patch with a later one on top. A null part in the later one removes its values, and values restore a null
+    part.
+    """
+    gone = tuple(f"{part}." for part in OPTIONAL_PARTS if part in later and later[part] is None)
+    back = {part for path in later for part in OPTIONAL_PARTS if path.startswith(f"{part}.")}
+    kept = {path: value for path, value in patch.items() if not path.startswith(gone) and path not in back}
+    return kept | dict(later)
+
+
 def nested(patch: Mapping[str, Any]) -> dict[str, Any]:
     """The document of a patch, with an object for each part."""
     document: dict[str, Any] = {}
     for path, value in patch.items():
-        part, _, name = path.rpartition(".")
-        (document.setdefault(part, {}) if part else document)[name] = value
+        *parts, name = path.split(".")
+        place = document
+        for part in parts:
+            place = place.setdefault(part, {})
+        place[name] = value
     return document
 
 
@@ -58,22 +82,37 @@ def patched(request: Simulation, patch: Mapping[str, Any]) -> Simulation:
 
     A patch of the model starts again from the variant it names, and keeps what ``request`` changes in its own variant.
     """
-    by_part: dict[str, dict[str, Any]] = {}
-    for path, value in patch.items():
-        part, _, name = path.rpartition(".")
-        by_part.setdefault(part, {})[name] = value
-    if by_part.keys() == {"activation"}:
-        return request.with_activation(dataclasses.replace(request.activation, **by_part["activation"]))
-    if "model" in by_part:
-        kept = {path: value for path, value in patch_of(request).items() if path.partition(".")[0] not in patch}
-        return _built(kept | dict(patch))
-    changes: dict[str, Any] = by_part.pop("", {})
-    if constants := by_part.pop(LARYNX, None):
+    tree = nested(patch)
+    if tree.keys() == {"activation"}:
+        return request.with_activation(dataclasses.replace(request.activation, **tree["activation"]))
+    if "model" in tree:
+        return _built(merged(patch_of(request), patch))
+    changes: dict[str, Any] = {}
+    if constants := tree.pop(LARYNX, None):
         changes["larynx"] = request.larynx.override(constants)
-    for part, values in by_part.items():
-        old = getattr(request, part)
-        changes[part] = PARTS[part](**values) if old is None else dataclasses.replace(old, **values)
-    return dataclasses.replace(request, **changes)
+    return dataclasses.replace(request, **changes, **_replacements(request, "", tree))
+
+
+def _replacements(owner: Any, at: str, tree: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields of ``owner``, the object at the path ``at``, with the values of a tree."""
+    changes: dict[str, Any] = {}
+    for name, value in tree.items():
+        path = f"{at}.{name}" if at else name
+        if path in PARTS and value is not None:
+            old = getattr(owner, name)
+            changes[name] = (
+                _made(path, value) if old is None else dataclasses.replace(old, **_replacements(old, path, value))
+            )
+        else:
+            changes[name] = value
+    return changes
+
+
+def _made(part: str, tree: Mapping[str, Any]) -> Any:
+    """The object of a part with the values of a tree, the others at their defaults."""
+    inner = {name: _made(f"{part}.{name}", value) if f"{part}.{name}" in PARTS and value is not None else value
+             for name, value in tree.items()}  # fmt: skip
+    return PARTS[part](**inner)
 
 
 def patch_of(request: Simulation) -> dict[str, Any]:
@@ -82,11 +121,13 @@ def patch_of(request: Simulation) -> dict[str, Any]:
     patch = {} if request.model.variant == Model().variant else {"model.variant": request.model.variant}
     if request.model.posture_set != base.model.posture_set:
         base = dataclasses.replace(base, larynx=larynx_of(request.model.variant, request.model.posture_set))
-    given = tuple(part for part in OPTIONAL_PARTS if getattr(request, part) is not None)
-    patch |= {
-        path: value_at(request, path) for path in differing(request, base, _PATHS) if path.split(".")[0] not in given
-    }
-    return patch | {f"{part}.{name}": value_at(request, f"{part}.{name}") for part in given for name in NAMES_IN[part]}
+    absent = tuple(f"{part}." for part in absent_parts(request))
+    different = set(differing(request, base, _PATHS))
+    for path, row in DECLARATIONS.items():
+        # A given optional part is named in full.
+        if (row.optional or path in different) and not path.startswith(absent):
+            patch[path] = value_at(request, path)
+    return patch
 
 
 def _base(variant: str) -> Simulation:
@@ -98,13 +139,13 @@ _PATHS = {part: tuple(row.path for row in DECLARATIONS.values() if row.part == p
 
 def values_of(request: Simulation) -> dict[str, Any]:
     """Every value by path, constants included; ``{"posture": None}`` for an optional part that is not given."""
-    values: dict[str, Any] = {}
+    absent = absent_parts(request)
+    hidden = tuple(f"{part}." for part in absent)
+    values: dict[str, Any] = dict.fromkeys(absent)
     for path, row in DECLARATIONS.items():
         if row.part == LARYNX:
             break  # the last part
-        if row.part in OPTIONAL_PARTS and getattr(request, row.part) is None:
-            values[row.part] = None
-        else:
+        if not path.startswith(hidden):
             values[path] = one_form(row, value_at(request, path))
     return values | {f"{LARYNX}.{name}": float(value) + 0.0 for name, value in request.larynx.values().items()}
 
@@ -131,47 +172,42 @@ def _differing_constants(request: Simulation, own: Any) -> Iterator[tuple[str, f
 
 
 def _built(patch: Mapping[str, Any]) -> Simulation:
-    by_part: dict[str, dict[str, Any]] = {}
-    for path, value in patch.items():
-        part, _, name = path.rpartition(".")
-        by_part.setdefault(part, {})[name] = value
-    top = by_part.pop("", {})
-    constants = by_part.pop(LARYNX, {})
-    parts = {
-        name: PARTS[name](**by_part.get(name, {})) for name in PARTS if name not in OPTIONAL_PARTS or name in by_part
+    tree = nested(patch)
+    constants = tree.pop(LARYNX, {})
+    values = {
+        name: _made(name, value) if name in PARTS and value is not None else value for name, value in tree.items()
     }
-    model = parts["model"]
-    larynx = larynx_of(model.variant, model.posture_set).override(constants)
-    return Simulation(larynx=larynx, **top | parts)
+    model = values.get("model") or Model()
+    return Simulation(larynx=larynx_of(model.variant, model.posture_set).override(constants), **values)
 
 
-def _leaves(document: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+def _leaves(document: Mapping[str, Any], at: str = "") -> Iterator[tuple[str, Any]]:
+    """Every value of a document by path. ``at``: the part that the document is of, empty for a request."""
     for key, value in document.items():
-        if key in DECLARATIONS:
-            yield key, value
-        elif key in OPTIONAL_PARTS and value is None:
-            yield key, None
-        elif key in NAMES_IN and key:
-            inside = _object(value, key)
-            if not inside and key in OPTIONAL_PARTS:  # given, with every field at its default
-                inside = {name: DECLARATIONS[f"{key}.{name}"].default for name in NAMES_IN[key]}
-            for name, inner in inside.items():
-                if name not in NAMES_IN[key]:
-                    _refuse(key, name)
-                yield f"{key}.{name}", inner
-        elif key == "kind":
+        path = f"{at}.{key}" if at else str(key)
+        if path in DECLARATIONS or (path in OPTIONAL_PARTS and value is None):
+            yield path, value
+        elif path in NAMES_IN and path:
+            inside = _object(value, path)
+            if not inside and path in OPTIONAL_PARTS:  # given, with every field at its default
+                yield from default_values(path).items()
+            yield from _leaves(inside, path)
+        elif path == "kind":
             if value != KIND:
                 raise ParameterError("kind", f"{value!r} is not a simulation", KIND)
         else:
-            part, _, name = str(key).rpartition(".")
-            _refuse(part, name) if part in NAMES_IN else _refuse("", str(key))
+            raise _unknown(path)
 
 
-def _refuse(part: str, name: str) -> None:
+def _unknown(path: str) -> ParameterError:
+    part, _, name = path.rpartition(".")
     if part == LARYNX:
-        raise ParameterError(f"{LARYNX}.{name}", "is not a constant of the model", KNOWN_CONSTANTS)
-    known = NAMES_IN[part] if part else ("kind", *NAMES_IN[""], *PARTS, LARYNX)
-    raise ParameterError(f"{part}.{name}" if part else name, "is not a known field", ", ".join(sorted(known)))
+        return ParameterError(path, "is not a constant of the model", KNOWN_CONSTANTS)
+    if part not in NAMES_IN:
+        part = ""
+    inside = [other.rpartition(".")[2] for other in (*PARTS, LARYNX) if other.rpartition(".")[0] == part]
+    known = [*NAMES_IN[part], *inside, *(() if part else ("kind",))]
+    return ParameterError(path or "a field without a name", "is not a known field", ", ".join(sorted(known)))
 
 
 def _object(value: Any, path: str) -> Mapping[str, Any]:

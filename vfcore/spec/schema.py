@@ -22,7 +22,7 @@ _GROUP_OF_PART = {"activation": MUSCLES, "model": MODEL, "posture": POSTURE, "ru
 #: In the order of display. A part not named here is a group with its own name.
 GROUPS = (
     *(MUSCLES, BREATH, TRACT, MODEL, POSTURE, RUN),
-    *(part for part in PARTS if part not in _GROUP_OF_PART),
+    *(part for part in PARTS if "." not in part and part not in _GROUP_OF_PART),
     *(FOLD_CONSTANTS, POSTURING_CONSTANTS),
 )
 _GROUP_OF_PATH = {"subglottal_pressure_pa": BREATH, "convergence_angle_rad": POSTURE, "vowel": TRACT}
@@ -75,17 +75,23 @@ def _row(declaration: Declaration) -> dict[str, Any]:
         "help": metadata.get("help", ""),
         "source": metadata["source"],
         "options": None if options is None else list(options),
-        "optional_part": declaration.part if declaration.optional else None,
+        "optional_part": declaration.optional[0] if declaration.optional else None,
     }
     if row["group"] == POSTURING_CONSTANTS:
         row["default_by_posture_set"] = {name: posture_set(name).value(declaration.name) for name in POSTURE_SETS}
     return row
 
 
+def _outer(part: str) -> str:
+    return part.partition(".")[0]
+
+
 def _group(declaration: Declaration) -> str:
     if declaration.part == LARYNX:
         return POSTURING_CONSTANTS if CONSTANTS[declaration.name].table == "posturing" else FOLD_CONSTANTS
-    return _GROUP_OF_PATH.get(declaration.path) or _GROUP_OF_PART.get(declaration.part, declaration.part)
+    return _GROUP_OF_PATH.get(declaration.path) or _GROUP_OF_PART.get(
+        _outer(declaration.part), _outer(declaration.part)
+    )
 
 
 def sensible_step(default: float | None, low: float, high: float) -> float:

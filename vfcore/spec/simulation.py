@@ -59,7 +59,7 @@ class PostureOverride:
     )
     rest_angle_rad: float = quantity(
         0.254, "rad", "rest angle at the anterior commissure", -0.5, 1.0, symbol="θ_0",
-        source="see constants.rest_angle_rad",
+        source="see constants.rest_angle_rad", help="of a given posture, in the place of constants.rest_angle_rad",
     )  # fmt: skip
 
     def __post_init__(self):

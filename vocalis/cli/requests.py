@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from vfcore.errors import ParameterError
-from vfcore.spec.paths import OPTIONAL_PARTS
 from vfcore.spec.presets import PRESETS
-from vfcore.spec.request import flat
+from vfcore.spec.request import flat, merged
 
 
 def request_patch(
@@ -24,24 +23,14 @@ def request_patch(
     if preset is not None:
         patch |= flat(_preset(preset))
     if path is not None:
-        patch = _merged(patch, flat(read_document("--request", path)))
-    patch = _merged(patch, changes)
+        patch = merged(patch, flat(read_document("--request", path)))
+    patch = merged(patch, changes)
     for setting in settings:
         key, separator, text = setting.partition("=")
         if not separator or not key:
             raise ParameterError("--set", f"{setting!r} sets nothing", "PATH=VALUE, such as run.start=static")
-        patch = _merged(patch, flat({key: _value(text)}))
+        patch = merged(patch, flat({key: _value(text)}))
     return patch
-
-
-def _merged(patch: dict[str, Any], later: Mapping[str, Any]) -> dict[str, Any]:
-    """A patch with a later one on top. A null part in the later one removes its values, and values restore a null
-    part.
-    """
-    gone = {path for path in later if later[path] is None and path in OPTIONAL_PARTS}
-    back = {path.partition(".")[0] for path in later}
-    kept = {key: value for key, value in patch.items() if key.partition(".")[0] not in gone and key not in back}
-    return kept | dict(later)
 
 
 def _preset(name: str) -> dict[str, Any]:

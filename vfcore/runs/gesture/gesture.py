@@ -12,7 +12,7 @@ from typing import Any
 from vfcore.errors import ParameterError
 from vfcore.runs.gesture.track import Track, track_from_pairs
 from vfcore.spec.address import computation
-from vfcore.spec.paths import DECLARATIONS, NUMBERS, OPTIONAL_PARTS
+from vfcore.spec.paths import DECLARATIONS, NUMBERS, part_of
 from vfcore.spec.request import document_of, flat, nested, patched, resolve
 from vfcore.spec.simulation import VOWELS, Simulation
 
@@ -73,8 +73,8 @@ def gesture_from_dict(document: Mapping[str, Any]) -> Gesture:
         patch[path] = track.at(0.0)
         tracks.append(track)
     vowels = _vowels(patch.get("vowel"))
-    if vowels:
-        patch["vowel"] = vowels[0][1]
+    if isinstance(patch.get("vowel"), list):
+        patch["vowel"] = patch["vowel"][0][1]
     return Gesture(resolve(patch), tuple(tracks), vowels)
 
 
@@ -85,7 +85,8 @@ def _vowels(value: Any) -> tuple[tuple[float, str], ...]:
     for k, (_, vowel) in enumerate(value):
         if vowel not in VOWELS:
             raise ParameterError(f"vowel.{k}.1", f"{vowel!r} is not known", " | ".join(VOWELS))
-    return tuple((time, vowel) for time, (_, vowel) in zip(times, value, strict=True))
+    changes = tuple((time, vowel) for time, (_, vowel) in zip(times, value, strict=True))
+    return changes if len(changes) > 1 else ()  # one vowel does not change
 
 
 def _is_pair(value: Any) -> bool:
@@ -111,7 +112,7 @@ def moved(request: Simulation, values: Mapping[str, float]) -> Simulation:
     to a part that is not given.
     """
     for path in values:
-        part = DECLARATIONS[path].part
-        if part in OPTIONAL_PARTS and getattr(request, part) is None:
-            raise ParameterError(path, f"moves a {part} that is not given", f"a request with a {part} of its own")
+        for part in DECLARATIONS[path].optional:
+            if part_of(request, part) is None:
+                raise ParameterError(path, f"moves a {part} that is not given", f"a request with a {part} of its own")
     return patched(request, values)

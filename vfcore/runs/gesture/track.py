@@ -1,12 +1,12 @@
 """Breakpoints: how one number moves in time."""
 
+import sys
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
-from numbers import Real
 
 from vfcore.errors import ParameterError
-from vfcore.spec.fields import check_number
+from vfcore.spec.fields import check_number, is_number
 
 MOST_BREAKPOINTS = 1000
 LATEST_S = 3600.0
@@ -55,6 +55,9 @@ def track_from_pairs(path: str, pairs: Sequence) -> Track:
         if not isinstance(pair, Sequence) or isinstance(pair, str) or len(pair) != 2:
             raise ParameterError(f"{path}.{k}", f"{pair!r} is not a breakpoint", _FORM)
         for j, number in enumerate(pair):
-            if isinstance(number, bool) or not isinstance(number, Real):
+            if not is_number(number):
                 raise ParameterError(f"{path}.{k}.{j}", f"{number!r} is not a number", _FORM)
-    return Track(path, tuple(float(t) for t, _ in pairs), tuple(float(v) for _, v in pairs))
+            if not abs(number) <= sys.float_info.max:  # an integer may be larger than any float
+                raise ParameterError(f"{path}.{k}.{j}", "is not a finite number", _FORM)
+    # Adding 0.0 makes a negative zero positive.
+    return Track(path, tuple(float(time) + 0.0 for time, _ in pairs), tuple(float(value) + 0.0 for _, value in pairs))

@@ -9,7 +9,7 @@ import numpy as np
 
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.spec.address import Computation, computation, content_hash
-from vfcore.spec.paths import DECLARATIONS
+from vfcore.spec.paths import DECLARATIONS, one_form
 from vfcore.spec.request import patched
 from vfcore.spec.simulation import Simulation
 
@@ -62,9 +62,9 @@ class Sweep:
         if not self.axes:
             return self.points[position]
         places = np.unravel_index(position, self.shape)
-        return {
-            path: axis.values[place] for axis, place in zip(self.axes, places, strict=True) for path in axis.parameters
-        }
+        values = zip(self.axes, places, strict=True)
+        # Tied paths may be of different types: each has its own form.
+        return {path: one_form(DECLARATIONS[path], a.values[place]) for a, place in values for path in a.parameters}
 
     def request(self, position: int) -> Simulation:
         """The request of one point; ParameterError where its numbers are inconsistent."""
