@@ -89,6 +89,6 @@ function askCatalogue() {
 async function takeCatalogue([parameters, measures]) {
   const known = readSchema(parameters);
   const { patch, unknown } = readQuery(known, location.search);
-  begin(known, measures.measures, patch, await firstDefaults(patch));
+  begin(known, measures.measures, patch, await firstDefaults(known, patch));
   if (unknown.length) showNotice(TOP.unknown(unknown));
 }

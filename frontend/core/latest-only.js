@@ -1,8 +1,8 @@
 /**
- * A lane of requests: one in flight, the newest waiting, everything between forgotten.
+ * Sends requests one at a time. While one is in flight, only the newest of the others waits; the rest are dropped.
  *
  * `send(job)` answers a promise; `done(answer, job)` and `failed(error, job)` are called in the order of sending.
- * `restMs` after an answer the lane leaves the machine to others before it sends again.
+ * After an answer it waits `restMs` before it sends again, which leaves the machine to other work.
  */
 export class LatestOnly {
   #waiting = null;

@@ -2,12 +2,12 @@
 
 const MUSCLE = /^(.*) \(([A-Z]+)\)$/;
 const OF_MODEL = /^model\./;
-const KEPT_BY_PRESETS = /^(vowel$|model\.|run\.|constants\.)/;
 const SET_BY_THE_PAGE = new Set(["run.duration_s"]);
 
 /**
  * @returns {{parameters: Map, presets: Array, vowels: Array, variants: Array}} parameters by dotted path, with `name`,
- * `short` (abbreviation or symbol) and `decimals` filled in. Values of an optional part may be null: not given.
+ * `short` (abbreviation or symbol), `decimals` and `options` (also of a boolean) filled in. Values of an optional part
+ * may be null: not given.
  */
 export function readSchema(document) {
   const parameters = new Map();
@@ -17,6 +17,7 @@ export function readSchema(document) {
     parameters.set(row.key, {
       ...row,
       nullable: row.nullable || Boolean(row.optional_part),
+      options: row.type === "boolean" ? [true, false] : row.options,
       name: capital(named ? named[1] : row.label),
       short: named ? named[2] : row.symbol,
       decimals: decimalsOf(row.step),
@@ -32,8 +33,26 @@ const decimalsOf = (step) => (step ? Math.max(0, -Math.floor(Math.log10(step) + 
 /** Whether a path chooses the equations, on which the defaults of all other values depend. */
 export const isOfModel = (path) => OF_MODEL.test(path);
 
-/** The entries of a patch that choose the equations. */
-export const modelOf = (patch) => Object.fromEntries(Object.entries(patch).filter(([path]) => isOfModel(path)));
+/** The optional part that a path belongs to, or null. */
+export const optionalPartOf = (schema, path) => schema.parameters.get(path)?.optional_part ?? null;
+
+/** Names of the optional parts of which a patch gives a value. */
+export const partsGiven = (schema, patch) =>
+  new Set(
+    Object.entries(patch)
+      .filter(([, value]) => value !== null)
+      .map(([path]) => optionalPartOf(schema, path))
+      .filter((part) => part !== null),
+  );
+
+/**
+ * What the values in force of a patch depend on, beyond its own entries: the entries that choose the equations, and
+ * {} for each optional part that it gives. It is itself a patch.
+ */
+export const basisOf = (schema, patch) => ({
+  ...Object.fromEntries(Object.entries(patch).filter(([path]) => isOfModel(path))),
+  ...Object.fromEntries([...partsGiven(schema, patch)].map((part) => [part, {}])),
+});
 
 /**
  * A patch as text, equal for equal patches, without the entries at the paths `except`.
@@ -90,16 +109,29 @@ export function postureRequest(patch) {
   return body;
 }
 
-/** The entries of a patch that a preset leaves alone. */
-export const keptByPresets = (patch) =>
-  Object.fromEntries(Object.entries(patch).filter(([path]) => KEPT_BY_PRESETS.test(path)));
+/**
+ * The entries of a patch that a preset leaves alone: those outside the groups that presets set. A preset also takes
+ * back every optional part, which could replace the muscles.
+ */
+export function keptByPresets(schema, patch) {
+  const groupOf = (path) => schema.parameters.get(path)?.group;
+  const set = new Set(schema.presets.flatMap((preset) => Object.keys(entriesOf(preset)).map(groupOf)));
+  const isKept = (path) => optionalPartOf(schema, path) === null && !set.has(groupOf(path));
+  return Object.fromEntries(Object.entries(patch).filter(([path]) => isKept(path)));
+}
 
-/** The preset with these values in force, or null. `defaults`: the values in force without a patch. */
-export function presetOf(schema, values, defaults) {
-  const paths = [...schema.parameters.keys()].filter((path) => !KEPT_BY_PRESETS.test(path));
+/** The preset whose values are in force under a patch, or null. `defaults`: the values in force under its basis. */
+export function presetOf(schema, patch, defaults) {
+  const basis = patchText(basisOf(schema, patch));
+  const kept = keptByPresets(schema, patch);
   const is = (preset) => {
-    const wanted = entriesOf(preset);
-    return paths.every((path) => values[path] === (path in wanted ? wanted[path] : defaults[path]));
+    const wanted = { ...kept, ...entriesOf(preset) };
+    const paths = Object.keys({ ...patch, ...wanted });
+    const valueUnder = (of, path) => (path in of ? of[path] : defaults[path]);
+    return (
+      patchText(basisOf(schema, wanted)) === basis &&
+      paths.every((path) => valueUnder(patch, path) === valueUnder(wanted, path))
+    );
   };
   return schema.presets.find(is) ?? null;
 }

@@ -25,11 +25,12 @@ export const failure = computed(() => _refusals.value.posture.text || _refusals.
 
 let movementShown = 0;
 
-export function takePosture(answer, gesture) {
+/** `movement`: the number of the movement that the answer belongs to, see request.js. */
+export function takePosture(answer, movement) {
   batch(() => {
-    if (gesture !== movementShown) {
+    if (movement !== movementShown) {
       _postureBefore.value = _posture.value;
-      movementShown = gesture;
+      movementShown = movement;
     }
     _posture.value = answer;
     refuse("posture", NONE);

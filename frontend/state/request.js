@@ -3,7 +3,16 @@
  * no rule of its own about defaults.
  */
 import { batch, computed, readonly, signal } from "../core/ui.js";
-import { capital, entriesOf, isOfModel, keptByPresets, modelOf, patchText, presetOf } from "../core/parameters.js";
+import {
+  basisOf,
+  capital,
+  entriesOf,
+  isOfModel,
+  keptByPresets,
+  optionalPartOf,
+  patchText,
+  presetOf,
+} from "../core/parameters.js";
 
 const MOVEMENT_PAUSE_MS = 1500;
 const TIED = { "activation.lca": "activation.ia", "activation.ia": "activation.lca" };
@@ -31,34 +40,34 @@ export const version = readonly(_version);
 export const movement = readonly(_movement);
 export const tied = readonly(_tied);
 
-const textOfModel = (of) => patchText(modelOf(of));
-/** The entries of the present patch that choose the model, as text. */
-export const model = computed(() => textOfModel(_patch.value));
+const textOfBasis = (of) => patchText(basisOf(_schema.value, of));
+/** The basis of the present patch as text, see basisOf. */
+export const basis = computed(() => textOfBasis(_patch.value));
 
-/** Values in force where a patch says nothing but its model. Until the server has answered: those shown before. */
-export const defaultsOf = (of) => _resolved.value.get(textOfModel(of)) ?? _shown.value;
+/** Values in force under the basis of a patch. Until the server has answered: those shown before. */
+export const defaultsOf = (of) => _resolved.value.get(textOfBasis(of)) ?? _shown.value;
 /** Values in force under a patch, by path; null for what is not given. */
 export const valuesOf = (of) => ({ ...defaultsOf(of), ...of });
 export const defaults = computed(() => defaultsOf(_patch.value));
 export const values = computed(() => valuesOf(_patch.value));
-/** Whether the server has still to say which defaults the present model has. */
-export const awaitsDefaults = computed(() => !_resolved.value.has(model.value) && _refused.value !== model.value);
-export const preset = computed(() => _schema.value && presetOf(_schema.value, values.value, defaults.value));
+/** Whether the defaults of the present basis have not arrived yet. */
+export const awaitsDefaults = computed(() => !_resolved.value.has(basis.value) && _refused.value !== basis.value);
+export const preset = computed(() => _schema.value && presetOf(_schema.value, _patch.value, defaults.value));
 
-/** `first`: {model, values}, the first defaults, see takeDefaults. */
+/** `first`: {basis, values}, the first defaults, see takeDefaults. */
 export function begin(newSchema, catalogueRows, newPatch, first) {
   batch(() => {
     _schema.value = newSchema;
-    _shown.value = takeDefaults(first.model, first.values);
+    _shown.value = takeDefaults(first.basis, first.values);
     _catalogue.value = new Map(catalogueRows.map((row) => [row.key, { ...row, name: capital(row.name) }]));
     _patch.value = newPatch;
     _version.value = 1;
   });
 }
 
-/** The values in force under `ofModel`, a patch of the model alone, as the server resolved them. */
-export function takeDefaults(ofModel, resolved) {
-  const text = patchText(ofModel);
+/** The values in force under a basis, as the server resolved them. */
+export function takeDefaults(ofBasis, resolved) {
+  const text = patchText(ofBasis);
   const paths = [..._schema.peek().parameters.keys()];
   const own = Object.fromEntries(paths.map((path) => [path, resolved[path] ?? null]));
   batch(() => {
@@ -68,13 +77,13 @@ export function takeDefaults(ofModel, resolved) {
   return own;
 }
 
-/** The server refused this model: the defaults shown before stay. */
-export function takeNoDefaults(ofModel) {
-  _refused.value = patchText(ofModel);
+/** The server refused this basis: the defaults shown before stay. */
+export function takeNoDefaults(ofBasis) {
+  _refused.value = patchText(ofBasis);
 }
 
 function show() {
-  _shown.value = _resolved.peek().get(model.peek()) ?? _shown.peek();
+  _shown.value = _resolved.peek().get(basis.peek()) ?? _shown.peek();
 }
 
 let lastPath = "";
@@ -94,7 +103,7 @@ export function resetValue(path) {
 
 export function choosePreset(key) {
   const chosen = _schema.peek().presets.find((row) => row.key === key);
-  change(withEntries(keptByPresets(_patch.peek()), entriesOf(chosen)), `preset ${key}`);
+  change(withEntries(keptByPresets(_schema.peek(), _patch.peek()), entriesOf(chosen)), `preset ${key}`);
 }
 
 /** Exactly this patch again, for undo; or, for a lesson or a cell of a map, this patch with further entries. */
@@ -114,12 +123,16 @@ export function setTied(on) {
   _tied.value = on;
 }
 
-/** A patch with further entries, without those that say what is in force anyway, so that links stay short. */
+/**
+ * A patch with further entries, without those that are in force anyway, so that links stay short. An entry of the
+ * basis stays, because it changes which values are in force.
+ */
 function withEntries(base, entries) {
   const next = { ...base, ...entries };
-  const own = _resolved.peek().get(textOfModel(next));
-  const says = ([path, value]) => value === null || (own && !isOfModel(path) && own[path] === value);
-  for (const [path] of Object.entries(entries).filter(says)) delete next[path];
+  const own = _resolved.peek().get(textOfBasis(next));
+  const isOfBasis = (path) => isOfModel(path) || optionalPartOf(_schema.peek(), path) !== null;
+  const isNeedless = ([path, value]) => value === null || (own && !isOfBasis(path) && own[path] === value);
+  for (const [path] of Object.entries(entries).filter(isNeedless)) delete next[path];
   return next;
 }
 

@@ -23,7 +23,7 @@ export function followSettled() {
     if (left <= 0) _settled.value = result.peek();
     else waiting = setTimeout(take, left); // there may have been another movement since
   };
-  const stopHand = effect(() => {
+  const stopChanges = effect(() => {
     void version.value;
     changedAt = performance.now();
   });
@@ -32,7 +32,7 @@ export function followSettled() {
   });
   return () => {
     stop();
-    stopHand();
+    stopChanges();
     clearTimeout(waiting);
   };
 }

@@ -114,3 +114,27 @@ def test_measures_are_copied_as_a_table_with_range_source_and_reason(visit):
     keep(here).get_by_role("button", name="Report to print").click()
     assert "No phonation" in here.page.locator("article.report header").inner_text(), "why, once"
     assert pages(here) == 1, "reasons do not extend the report to a second page"
+
+
+def test_a_caution_about_the_papers_constants_is_shown_only_for_a_voice_with_them(visit):
+    here = visit("?model.variant=text_literal")
+    here.page.get_by_role("tab", name="Measures").click()
+    open_dialog = here.page.locator("dialog")
+
+    def places() -> list[bool]:
+        """Whether the table, the dialog of a measure and the report show the sentence."""
+        table = here.page.locator(".measure-table")
+        texts = [table.inner_text()]
+        table.locator("tr[data-measure=fo_hz] button").click()
+        texts.append(open_dialog.filter(has=here.page.locator(".facts")).inner_text())
+        open_dialog.get_by_role("button", name="Close").click()
+        keep(here).get_by_role("button", name="Report to print").click()
+        texts.append(here.page.locator("article.report").inner_text())
+        open_dialog.get_by_role("button", name="Close").click()
+        return ["well above human values" in text for text in texts]
+
+    assert places() == [True] * 3
+    for variant in ("human", "paper", "human_female"):
+        here.page.locator(".variant select").select_option(variant)
+        here.settle()
+        assert places() == [variant == "paper"] * 3, variant

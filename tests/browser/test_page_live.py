@@ -49,6 +49,22 @@ def test_neighbouring_shapes_are_prefetched_before_a_control_moves(visit):
     assert "posture" in asked, "beyond the prefetched values the page sends a request"
 
 
+def test_a_prefetched_shape_of_tied_muscles_is_not_shown_for_unequal_ones(visit):
+    here = visit("?activation.lca=0.8&activation.ia=0.5")
+    here.page.get_by_label("Move LCA and IA together").check()
+    with here.page.expect_response(lambda response: response.url.endswith("/postures")):
+        here.slider("activation.lca").hover()
+    here.page.wait_for_load_state("networkidle")
+    here.set("activation.lca", 0.79)
+    here.page.get_by_role("button", name="Undo").first.click()
+    here.settle()
+    assert here.typed("Interarytenoid (IA)").input_value() == "0.50"
+    here.page.wait_for_load_state("networkidle")
+    shown = here.page.evaluate("async () => (await import('/state/answers.js')).posture.value.posture")
+    reply = here.page.request.post(f"{here.address}/api/v1/posture", data={"activation": {"lca": 0.8, "ia": 0.5}})
+    assert shown == reply.json()["posture"]
+
+
 def test_the_address_holds_the_voice(visit):
     here = visit("?activation.ta=0.1&activation.ct=1&vowel=i")
     assert here.typed("Thyroarytenoid (TA)").input_value() == "0.10"

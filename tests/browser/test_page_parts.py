@@ -39,7 +39,7 @@ def test_a_request_is_the_patch(modules):
       const params = await import("/core/parameters.js");
       const request = await import("/state/request.js");
       const schema = params.readSchema(document);
-      request.begin(schema, [], patch, { model: {}, values: defaults });
+      request.begin(schema, [], patch, { basis: params.basisOf(schema, patch), values: defaults });
       const before = {
         run: params.simulationRequest(patch, { duration_s: 0.5 }),
         posture: params.postureRequest(patch),

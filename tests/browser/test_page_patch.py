@@ -34,7 +34,7 @@ WAYS = """async (cases) => {
     while (request.awaitsDefaults.value) await new Promise((resolve) => setTimeout(resolve, 2));
   };
   const body = (patch) => params.simulationRequest(patch, { duration_s: 0.5 });
-  request.begin(schema, [], {}, await firstDefaults({}));
+  request.begin(schema, [], {}, await firstDefaults(schema, {}));
   setConnection("ready");
   takeResult({});
   const stop = followDefaults();
@@ -63,17 +63,35 @@ WAYS = """async (cases) => {
   stop();
   return found;
 }"""
+#: The server's schema with two more optional parts, before the page reads it.
+NEW_PARTS = """
+const read = Response.prototype.json;
+Response.prototype.json = async function () {
+  const document = await read.call(this);
+  if (!document.parameters) return document;
+  const strain = document.parameters.find((row) => row.key === "posture.strain");
+  for (const [part, name, more] of [
+    ["lesion", "height_mm", { type: "number" }],
+    ["lesion", "kind", { type: "choice", options: ["nodule", "polyp"] }],
+    ["patient", "is_asleep", { type: "boolean" }],
+  ])
+    document.parameters.push(
+      { ...strain, key: `${part}.${name}`, label: name, group: part, optional_part: part, ...more },
+    );
+  return document;
+};
+"""
 ANSWERED = """async () => {
   const [{ answered }, { version }] = await Promise.all([import("/state/answers.js"), import("/state/request.js")]);
   return answered.value === version.value;
 }"""
-#: What the page says to the worker of a played voice.
-SAID = """
-window.said = [];
+#: What the page sends to the worker of a played voice.
+SENT = """
+window.sent = [];
 const post = Worker.prototype.postMessage;
 Worker.prototype.postMessage = function (message, ...rest) {
-  if (message.open) window.said.push(message.open.first);
-  else if (message.send) window.said.push(message.send);
+  if (message.open) window.sent.push(message.open.first);
+  else if (message.send) window.sent.push(message.send);
   return post.call(this, message, ...rest);
 };
 """
@@ -137,10 +155,11 @@ def test_every_way_leads_to_the_same_computation(modules):
             assert address(resolve(found[way])) == address(wanted), (way, case)
         cell = resolve(patch | case["cell"])
         assert address(resolve(found["ofCell"])) == address(cell), case
-        for path, value in values_of(wanted).items():
-            if not path.startswith(("posture", "run.duration_s")):
-                shown = found["values"][path]  # JavaScript writes large numbers as whole ones
-                assert (float(shown) if isinstance(value, float) else shown) == value, (path, case)
+        in_force = values_of(wanted)
+        for path in DECLARATIONS.keys() - {"run.duration_s"}:
+            value, shown = in_force.get(path), found["values"][path]  # None: of a part that is not given
+            # JavaScript writes large numbers as whole ones
+            assert (float(shown) if isinstance(value, float) else shown) == value, (path, case)
 
 
 def choose(here, variant: str) -> None:
@@ -243,6 +262,59 @@ def test_defaults_are_asked_once_for_each_model_and_never_by_a_slider(visit):
     assert asked == ['{"model":{"variant":"human"}}']
 
 
+def test_one_value_of_an_optional_part_shows_all_values_that_come_with_it(visit):
+    here = visit()
+    asked = []
+    here.page.on("request", lambda request: asked.append(request.post_data) if "/resolve" in request.url else None)
+    here.page.locator(".advanced summary").click()
+    fields = [here.slider(f"posture.{name}") for name in ("strain", "glottal_half_angle_rad", "rest_angle_rad")]
+
+    def type_in(place: int, text: str) -> list[str]:
+        fields[place].fill(text)
+        fields[place].press("Tab")
+        here.settle()
+        return [field.input_value() for field in fields]
+
+    assert type_in(0, "0.1") == ["0.100", "0.000", "0.254"]
+    posture = computed(here)["posture"]
+    assert posture == {"strain": 0.1, "glottal_half_angle_rad": 0, "rest_angle_rad": 0.254}
+    assert type_in(0, "0") == ["0.000", "0.000", "0.254"]
+    assert computed(here)["posture"] == posture | {"strain": 0}, "the part stays given"
+    assert here.page.get_by_label("Voice").locator("option:checked").inner_text() == "Own settings"
+    assert type_in(1, "") == ["0.000", "0.000", "0.254"], "an emptied field shows what is in force"
+    assert type_in(2, "0.3") == ["0.000", "0.000", "0.300"]
+    assert type_in(2, "") == ["0.000", "0.000", "0.254"]
+    assert type_in(0, "") == ["", "", ""]
+    assert computed(here)["posture"] is None
+    assert asked == ['{"posture":{}}'], "once, when the part comes; never for a value in it"
+    linked = visit("?posture.rest_angle_rad=0.3")
+    linked.page.locator(".advanced summary").click()
+    assert linked.slider("posture.glottal_half_angle_rad").input_value() == "0.000"
+
+
+def test_a_new_optional_part_gets_controls_and_is_taken_back_by_a_preset(visit):
+    here = visit(init=NEW_PARTS)
+    here.expected = re.compile("422")  # the server does not know the parts
+    here.page.locator(".advanced summary").click()
+    height, kind = here.slider("lesion.height_mm"), here.slider("lesion.kind")
+    assert height.get_attribute("placeholder") == "not given"
+    assert here.slider("posture.strain").get_attribute("placeholder") == "by the muscles"
+    assert kind.locator("option").all_inner_texts() == ["not given", "nodule", "polyp"]
+    assert here.slider("patient.is_asleep").locator("option").all_inner_texts() == ["not given", "yes", "no"]
+    patch = "async () => (await import('/state/request.js')).patch.value"
+    height.fill("1")
+    height.press("Tab")
+    kind.select_option("polyp")
+    here.slider("patient.is_asleep").select_option("no")
+    wanted = {"lesion.height_mm": 1, "lesion.kind": "polyp", "patient.is_asleep": False}
+    assert here.page.evaluate(patch) == wanted
+    kind.select_option("not given")
+    assert here.page.evaluate(patch) == {key: wanted[key] for key in wanted if key != "lesion.kind"}
+    here.page.get_by_label("Voice").select_option("breathy")
+    assert here.page.evaluate(patch) == {"activation.pca": 0.5}
+    here.settle()
+
+
 def test_old_values_stay_until_the_new_ones_are_there_and_a_failed_call_is_repeated(visit):
     here = visit()
     here.expected = re.compile("Failed to load resource")
@@ -275,7 +347,7 @@ def test_a_refused_model_is_named_and_the_page_goes_on(visit):
 
 
 def test_a_played_voice_gets_the_patch_and_then_what_changes(visit):
-    here = visit("?activation.ct=0.6&model.variant=human", init=SAID)
+    here = visit("?activation.ct=0.6&model.variant=human", init=SENT)
     here.page.get_by_role("tab", name="Play", exact=True).click()
     here.page.get_by_role("button", name="Play live").click()
     sounding = "async () => (await import('/state/played-voice.js')).status.value === 'on'"
@@ -283,10 +355,10 @@ def test_a_played_voice_gets_the_patch_and_then_what_changes(visit):
     slider = here.slider("activation.ct")
     slider.locator("..").dblclick(position={"x": 3, "y": 3})
     here.page.wait_for_url("**/?model.variant=human")
-    said = here.page.evaluate("said")
-    assert said[0] == {"activation": {"ct": 0.6}, "model": {"variant": "human"}}
-    assert said[-1]["activation"] == {"ct": 0.3}, "a reset says the value in force"
+    sent = here.page.evaluate("sent")
+    assert sent[0] == {"activation": {"ct": 0.6}, "model": {"variant": "human"}}
+    assert sent[-1]["activation"] == {"ct": 0.3}, "a reset sends the value in force"
     here.page.locator(".variant select").select_option("paper")
-    here.page.wait_for_function("() => said.some((one) => Object.keys(one).length === 0)")
+    here.page.wait_for_function("() => sent.some((one) => Object.keys(one).length === 0)")
     here.page.wait_for_function(sounding)
     here.page.get_by_role("button", name="Stop").first.click()

@@ -21,8 +21,8 @@ export function TypedValue({ path, id, placeholder, label, wide = false }) {
   const commit = () => {
     if (field.current.value === text) return;
     const wanted = typed(field.current.value);
-    if (wanted === null && !row.nullable) field.current.value = text;
-    else setValue(path, wanted);
+    if (wanted !== null || row.nullable) setValue(path, wanted);
+    field.current.value = textOf(values.peek()[path], row); // an emptied field shows the value in force
   };
   return html`
     <input
@@ -82,7 +82,7 @@ export function NumberField({ path, placeholder }) {
 /** The choice in force; one that the user made where the variant has its own can be taken back. */
 export function Choice({ path }) {
   const row = schema.value.parameters.get(path);
-  const named = useComputed(() => row.nullable && path in patch.value).value;
+  const withoutOwn = useComputed(() => row.nullable && (path in patch.value || values.value[path] === null)).value;
   const value = useComputed(() => values.value[path]).value;
   const problem = useComputed(() => problems.value[path]).value;
   const id = controlId(path);
@@ -91,19 +91,19 @@ export function Choice({ path }) {
       <label for=${id}>${row.name}</label>
       <select
         id=${id}
-        value=${value ?? ""}
+        value=${String(value ?? "")}
         title=${row.help}
-        onChange=${(event) => setValue(path, event.target.value || null)}
+        onChange=${(event) => setValue(path, row.options.find((one) => String(one) === event.target.value) ?? null)}
       >
         ${
-          named &&
+          withoutOwn &&
           html`
-            <option value="">${CONTROL.ownChoice}</option>
+            <option value="">${row.optional_part ? CONTROL.notGiven : CONTROL.ownChoice}</option>
           `
         }
         ${row.options.map(
           (option) => html`
-            <option value=${option}>${OPTION_NAMES[option] ?? option}</option>
+            <option value=${String(option)}>${OPTION_NAMES[option] ?? option}</option>
           `,
         )}
       </select>

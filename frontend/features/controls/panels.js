@@ -1,8 +1,9 @@
 /** The controls on the left: five muscles, breath and tract, vowel, and the advanced settings. */
 import { html, useComputed } from "../../core/ui.js";
 import { numberText } from "../../core/axis.js";
+import { partsGiven } from "../../core/parameters.js";
 import { problems } from "../../state/answers.js";
-import { muscleOf, musclePaths, schema, setTied, setValue, tied, values } from "../../state/request.js";
+import { muscleOf, musclePaths, patch, schema, setTied, setValue, tied, values } from "../../state/request.js";
 import { Choice, NumberField, Refusal } from "./fields.js";
 import { Slider } from "./slider.js";
 import { CONTROL, GROUPS, ROLES } from "./texts.js";
@@ -76,13 +77,19 @@ export function Vowels() {
   `;
 }
 
-const GROUPS_SHOWN = ["model", "run", "posture"];
+// Everything else is here, so that a new part of the request needs no edit. Constants are set in maps and links.
+const GROUPS_ELSEWHERE = new Set(["muscles", "breath", "tract", "constants", "posturing constants"]);
 const ELSEWHERE = new Set(["model.variant", "convergence_angle_rad", "run.error_estimate"]);
 
 export function Advanced() {
   const rows = [...schema.value.parameters.values()].filter(
-    (row) => GROUPS_SHOWN.includes(row.group) && !ELSEWHERE.has(row.key) && !(row.options?.length === 1),
+    (row) => !GROUPS_ELSEWHERE.has(row.group) && !ELSEWHERE.has(row.key) && !(row.options?.length === 1),
   );
+  const given = partsGiven(schema.value, patch.value);
+  const placeholderOf = ({ optional_part: part, nullable }) => {
+    if (part && !given.has(part)) return CONTROL.withoutPart[part] ?? CONTROL.notGiven;
+    return nullable ? CONTROL.automatic : "";
+  };
   return html`
     <details
       class="group advanced"
@@ -103,6 +110,3 @@ export function Advanced() {
     </details>
   `;
 }
-
-const placeholderOf = (row) =>
-  row.key.startsWith("posture.") ? CONTROL.byMuscles : row.nullable ? CONTROL.automatic : "";

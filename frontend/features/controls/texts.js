@@ -21,7 +21,8 @@ export const CONTROL = {
   reset: (value) => `Double-click: back to ${value}`,
   ownChoice: "the variant’s own",
   automatic: "automatic",
-  byMuscles: "by the muscles",
+  withoutPart: { posture: "by the muscles" },
+  notGiven: "not given",
   allowed: (allowed) => `Allowed: ${allowed}.`,
 };
 
@@ -33,6 +34,8 @@ export const VARIANT_NAMES = {
 };
 
 export const OPTION_NAMES = {
+  true: "yes",
+  false: "no",
   flat: "flat",
   static: "static shape",
   one_way: "one way",

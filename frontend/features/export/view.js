@@ -77,13 +77,13 @@ export function CodeDialog() {
 }
 
 function Listing({ name, title, help, text }) {
-  const [said, say] = useState("");
-  const copy = async () => say((await copyText(text)) ? CODE.copied : CODE.copyFailed);
+  const [outcome, setOutcome] = useState("");
+  const copy = async () => setOutcome((await copyText(text)) ? CODE.copied : CODE.copyFailed);
   return html`
     <section class="listing">
       <div class="card-head">
         <h3>${title}</h3>
-        <span role="status" class="when">${said}</span>
+        <span role="status" class="when">${outcome}</span>
         <button type="button" class="button small" onClick=${copy}>${CODE.copy}</button>
       </div>
       <pre tabindex="0" data-code=${name}>${text}</pre>

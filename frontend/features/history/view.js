@@ -91,7 +91,7 @@ export function HistoryList() {
 
 function Entry({ place, entry, before }) {
   const values = valuesOf(entry.patch);
-  const chosen = presetOf(schema.value, values, defaultsOf(entry.patch));
+  const chosen = presetOf(schema.value, entry.patch, defaultsOf(entry.patch));
   const changed = before ? differingSettings(schema.value, before, entry.patch) : [];
   const label = changeSummary(changed, values, chosen?.label, HISTORY);
   return html`

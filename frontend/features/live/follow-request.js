@@ -41,7 +41,7 @@ export function followRequest() {
   const show = (answer, job) => {
     if (job.version < shown) return; // a newer one came from the cache
     shown = job.version;
-    takePosture(answer, job.gesture);
+    takePosture(answer, job.movement);
     afterPaint(() => recordShown("slider to shape", job.version));
   };
   const postures = new LatestOnly(
@@ -55,15 +55,15 @@ export function followRequest() {
   const voices = new LatestOnly(
     (job) => callWorker("voice", job.body),
     (answer, job) => {
-      setConnection("ready"); // a cached shape made no call that would have said so
+      setConnection("ready"); // with a cached shape, no posture call has set it
       takeResult(answer, job.version);
       afterPaint(() => recordShown("slider to all", job.version));
     },
     failed("voice"),
   );
   const push = (job) => {
-    const ahead = cachedPosture();
-    if (ahead) show(ahead, job);
+    const cached = cachedPosture();
+    if (cached) show(cached, job);
     else postures.push(job);
     voices.push(job);
     fetchMissing();
@@ -72,7 +72,7 @@ export function followRequest() {
     if (!schema.value || !entered.value) return;
     const job = {
       version: version.value,
-      gesture: movement.value,
+      movement: movement.value,
       body: simulationRequest(patch.value, { duration_s: LIVE_S }),
       postureBody: postureRequest(patch.value),
     };

@@ -14,9 +14,14 @@ const rows = new Map(); // name of a row → Map of value → answer, null where
 let path = null; // of the control in use
 let asking = false;
 
-/** The answer to the present request, if it is in the cache. */
-export const cachedPosture = () =>
-  path === null || (awaitsDefaults.peek() && !(path in patch.peek())) ? undefined : row().get(values.peek()[path]);
+/** The answer to the present request, if it is in the cache. A row holds requests with equal values of tied muscles. */
+export function cachedPosture() {
+  if (path === null) return undefined;
+  const moved = movedTogether(path);
+  const value = values.peek()[path];
+  const isKnown = !awaitsDefaults.peek() || moved.every((one) => one in patch.peek());
+  return isKnown && moved.every((one) => values.peek()[one] === value) ? row().get(value) : undefined;
+}
 
 /** The user has reached the control of this path. */
 export function prefetchAround(newPath) {

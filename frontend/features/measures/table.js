@@ -6,9 +6,9 @@ import { Dialog, openDialog } from "../../core/dialog.js";
 import { MathsSymbol, WithSymbols } from "../../core/maths-symbol.js";
 import { capital } from "../../core/parameters.js";
 import { result } from "../../state/answers.js";
-import { catalogue } from "../../state/request.js";
+import { catalogue, schema } from "../../state/request.js";
 import { COPY_TABLE, MEASURE } from "./texts.js";
-import { rangeOf, valueText } from "./value-text.js";
+import { cautionOf, rangeOf, valueText } from "./value-text.js";
 
 export function MeasureTable() {
   if (!catalogue.value) return null;
@@ -40,20 +40,20 @@ export function MeasureTable() {
           `,
         )}
       </table>
-      <p class="caution">${MEASURE.caution}</p>
+      <p class="caution">${cautionOf(result.value, schema.value)}</p>
     </div>
   `;
 }
 
 function CopyButton() {
-  const [said, say] = useState("");
+  const [outcome, setOutcome] = useState("");
   const copy = async () => {
     const rows = measureRows(catalogue.peek(), result.peek()?.measures ?? {}, COPY_TABLE.columns);
-    say((await copyText(asTsv(rows), asMarkup(rows))) ? COPY_TABLE.copied : COPY_TABLE.failed);
+    setOutcome((await copyText(asTsv(rows), asMarkup(rows))) ? COPY_TABLE.copied : COPY_TABLE.failed);
   };
   return html`
     <p class="copy-table">
-      <span role="status" class="when">${said}</span>
+      <span role="status" class="when">${outcome}</span>
       <button type="button" class="button small" onClick=${copy}>${COPY_TABLE.copy}</button>
     </p>
   `;
@@ -149,7 +149,7 @@ export function MeasureDialog({ about: { key } }) {
             `,
           )}
       </dl>
-      <p class="caution">${MEASURE.cycles(shown?.cycles)}${" "}${MEASURE.caution}</p>
+      <p class="caution">${MEASURE.cycles(shown?.cycles)}${" "}${cautionOf(shown, schema.value)}</p>
     <//>
   `;
 }

@@ -16,6 +16,12 @@ export function rangeOf(row, { factor = 1, decimals = row.decimals } = {}) {
 /** "usual 1.3 – 2.8" */
 export const expected = (row, shown) => MEASURE.usual(rangeOf(row, shown));
 
+/** What to mind when reading the measures of a result, if its variant has the paper's constants; else "". */
+export function cautionOf(result, { variants }) {
+  const variant = variants.find(({ key }) => key === result?.provenance.request.model.variant);
+  return variant?.changes.length === 0 ? MEASURE.caution : "";
+}
+
 /** Value with unit, or a dash. */
 export function valueText(measure, row) {
   if (!measure || measure.value === null) return "–";

@@ -3,7 +3,7 @@
  * thread, so a page busy with painting causes no gap and does not delay a movement.
  *
  * Takes {open: {url, first, worklet}} once, where `worklet` is a port to it, then {send: message} and {close:
- * true}. Posts {said: document} for every text frame of the server, {report} and {sounded: {stamp, at}} of the
+ * true}. Posts {received: document} for every text frame of the server, {report} and {sounded: {stamp, at}} of the
  * worklet, and {ended: reason} once.
  */
 
@@ -44,7 +44,7 @@ function send(message) {
 
 function receive(document) {
   if (document.type === "heard") taken = document;
-  else self.postMessage({ said: document });
+  else self.postMessage({ received: document });
 }
 
 function play(frame) {

@@ -78,7 +78,7 @@ class Session {
     this.#sent = patch.peek();
     waitFrom("slider to sound", version.peek());
     this.#connection = new Connection(nest(this.#sent), channel.port2, {
-      said: (document) => this.#receive(document),
+      received: (document) => this.#receive(document),
       report: (buffer) => session === this && takeBuffer(buffer),
       sounded: ({ stamp, at }) => recordShown("slider to sound", stamp, outputTime(context, at)),
       ended: (reason) => session === this && stopPlaying(reason ? PLAY.ended(reason) : PLAY.gone),

@@ -138,7 +138,7 @@ function Pad() {
     const step = STEP * (event.shiftKey ? 10 : 1);
     put(values.peek()[CT] + way[0] * step, values.peek()[TA] + way[1] * step);
   };
-  const said = useComputed(() => PLAY.padValue(values.value[CT], values.value[TA]));
+  const padValue = useComputed(() => PLAY.padValue(values.value[CT], values.value[TA]));
   return html`
     <div
       class="play-pad"
@@ -146,7 +146,7 @@ function Pad() {
       tabindex="0"
       role="application"
       aria-label=${PLAY.pad}
-      aria-description=${said}
+      aria-description=${padValue}
       onPointerDown=${down}
       onPointerMove=${(event) => event.buttons && move(event)}
       onKeyDown=${key}

@@ -17,7 +17,7 @@ import { COMPARE } from "../compare/texts.js";
 import { changeText } from "../compare/view.js";
 import { shortName, valueOf } from "../controls/settings-text.js";
 import { HEADLINES, MEASURE } from "../measures/texts.js";
-import { rangeOf, valueText } from "../measures/value-text.js";
+import { cautionOf, rangeOf, valueText } from "../measures/value-text.js";
 import { REPORT } from "./texts.js";
 import { spectrumOf } from "../spectrum/levels.js";
 import { drawSpectrum } from "../spectrum/paint.js";
@@ -111,7 +111,8 @@ export function ReportDialog() {
         </label>
         <footer>
           <p>
-            ${REPORT.made(model, code, new Date().toISOString().slice(0, 10))}${" "}${APP.use}${" "}${MEASURE.caution}
+            ${REPORT.made(model, code, new Date().toISOString().slice(0, 10))}${" "}${APP.use}${" "}
+            ${cautionOf(shown, schema.value)}
           </p>
           <p>
             ${REPORT.again}${" "}
@@ -191,7 +192,7 @@ function Measures({ shown }) {
   `;
 }
 
-/** Why there is no value, unless the head of the report has said it; else the published range. */
+/** Why there is no value, unless the head of the report gives it already; else the published range. */
 function remarkOf(row, measure, shown) {
   if (measure?.reason) return measure.reason === shown.explanation ? "" : measure.reason;
   return row.normal_range && REPORT.published(rangeOf(row), row.normal_range.source);

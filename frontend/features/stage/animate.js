@@ -14,21 +14,21 @@ const STEP_DURING_MOVEMENT_MS = 100;
 
 /** Starts the motion; returns a function that stops it. */
 export function followMotion() {
-  let handAt = -Infinity;
+  let changedAt = -Infinity;
   let request = 0;
   let before = 0;
   const step = (now) => {
     request = requestAnimationFrame(step);
-    if (now - handAt < MOVEMENT_MS && now - before < STEP_DURING_MOVEMENT_MS) return;
+    if (now - changedAt < MOVEMENT_MS && now - before < STEP_DURING_MOVEMENT_MS) return;
     if (strobe.peek() && now - before < 1e3 / FLASHES_HZ) return;
     const elapsed = Math.min(now - before, 100) / 1e3; // a tab that was hidden does not jump
     before = now;
     const cyclesPerS = strobe.peek() ?? 1 / (slowdown.peek() * result.peek().cycle.periodS);
     setPhase(phase.peek() + elapsed * cyclesPerS);
   };
-  const stopHand = effect(() => {
+  const stopChanges = effect(() => {
     void version.value;
-    handAt = performance.now();
+    changedAt = performance.now();
   });
   const stop = effect(() => {
     cancelAnimationFrame(request);
@@ -39,7 +39,7 @@ export function followMotion() {
   });
   return () => {
     stop();
-    stopHand();
+    stopChanges();
     cancelAnimationFrame(request);
   };
 }
