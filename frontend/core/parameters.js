@@ -110,12 +110,14 @@ export function postureRequest(patch) {
 }
 
 /**
- * The entries of a patch that a preset leaves alone: those outside the groups that presets set. A preset also takes
- * back every optional part, which could replace the muscles.
+ * The entries of a patch that a preset leaves alone: those outside the groups that presets set and outside the groups
+ * of optional parts. A preset also takes back every optional part, which could replace the muscles.
  */
 export function keptByPresets(schema, patch) {
   const groupOf = (path) => schema.parameters.get(path)?.group;
-  const set = new Set(schema.presets.flatMap((preset) => Object.keys(entriesOf(preset)).map(groupOf)));
+  const ofPresets = schema.presets.flatMap((preset) => Object.keys(entriesOf(preset)).map(groupOf));
+  const ofParts = [...schema.parameters.values()].filter((row) => row.optional_part).map((row) => row.group);
+  const set = new Set([...ofPresets, ...ofParts]);
   const isKept = (path) => optionalPartOf(schema, path) === null && !set.has(groupOf(path));
   return Object.fromEntries(Object.entries(patch).filter(([path]) => isKept(path)));
 }

@@ -362,3 +362,17 @@ def test_a_played_voice_gets_the_patch_and_then_what_changes(visit):
     here.page.wait_for_function("() => sent.some((one) => Object.keys(one).length === 0)")
     here.page.wait_for_function(sounding)
     here.page.get_by_role("button", name="Stop").first.click()
+
+
+def test_a_preset_takes_back_breath_and_convergence_and_keeps_vowel_model_and_constants(visit):
+    kept = "vowel=i&model.variant=human&constants.K_col_pa_m=2000000"
+    here = visit(f"?subglottal_pressure_pa=700&convergence_angle_rad=0.1&posture.strain=0.1&{kept}")
+    here.page.locator(".preset select").select_option("breathy")
+    here.settle()
+    patch = here.page.evaluate("async () => (await import('/state/request.js')).patch.value")
+    assert {path: value for path, value in patch.items() if not path.startswith("activation.")} == {
+        "vowel": "i",
+        "model.variant": "human",
+        "constants.K_col_pa_m": 2e6,
+    }
+    assert patch["activation.pca"] == 0.5
