@@ -144,7 +144,7 @@ def test_single_precision_gives_the_same_measures(state):
     ("glottal_flow_m3_s", np.zeros(10), "shape"),
     ("lip_pressure_pa", np.full(len(T), np.nan), "not finite"),
     ("strain", math.inf, "not finite"),
-    ("sample_rate_hz", 0.0, "not positive"),
+    ("sample_rate_hz", 0.0, "too low"),
 ])  # fmt: skip
 def test_signals_that_cannot_be_measured_are_refused_by_name(field, value, word):
     with pytest.raises(ParameterError, match=word) as caught:
