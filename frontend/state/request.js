@@ -58,6 +58,8 @@ export const preset = computed(() => _schema.value && presetOf(_schema.value, _p
 export function begin(newSchema, catalogueRows, newPatch, first) {
   batch(() => {
     _schema.value = newSchema;
+    _resolved.value = new Map(); // those of an earlier schema say nothing of this one
+    _refused.value = "";
     _shown.value = takeDefaults(first.basis, first.values);
     _catalogue.value = new Map(catalogueRows.map((row) => [row.key, { ...row, name: capital(row.name) }]));
     _patch.value = newPatch;

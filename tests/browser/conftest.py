@@ -110,9 +110,12 @@ def visit(chromium, server) -> Iterator[Callable[..., Visit]]:
         assert made.strangers == [], "no other origin may be requested"
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture
 def modules(chromium, server):
-    """Run a script that imports modules of the page, without the page: ``modules("async () => …", argument)``."""
+    """Run a script that imports modules of the page, without the page: ``modules("async () => …", argument)``.
+
+    Each test has modules of its own, whose state no other test has changed.
+    """
     page = chromium.new_page()
     page.goto(f"{server}/icon.svg")
     yield page.evaluate

@@ -156,6 +156,8 @@ def test_every_way_leads_to_the_same_computation(modules):
         cell = resolve(patch | case["cell"])
         assert address(resolve(found["ofCell"])) == address(cell), case
         in_force = values_of(wanted)
+        missing = sorted(DECLARATIONS.keys() - {"run.duration_s"} - found["values"].keys())
+        assert missing == [], (len(missing), missing[:5], case)
         for path in DECLARATIONS.keys() - {"run.duration_s"}:
             value, shown = in_force.get(path), found["values"][path]  # None: of a part that is not given
             # JavaScript writes large numbers as whole ones
