@@ -14,6 +14,7 @@ from vfcore.airways.subglottal import subglottal_tract
 from vfcore.airways.tract import Tract, vowel_tract
 from vfcore.errors import ParameterError
 from vfcore.kernels import airways as kernel
+from vfcore.kernels import airways_many
 from vfcore.spec.area_functions import SECTION_LENGTH_M, SECTION_LIMITS_M
 from vfcore.spec.simulation import Simulation
 
@@ -64,6 +65,46 @@ class Airways:
             rows[kernel.ROWS.index("transmission")] = tract.transmission
             rows[kernel.ROWS.index("reflection"), :-1] = tract.reflection
         return air
+
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """Steps of the airways per step of the fold, and sections below and above: common to the folds of a batch."""
+        return self.substeps, len(self.subglottal.areas_m2), len(self.supraglottal.areas_m2)
+
+    @staticmethod
+    def new_buffers(folds: list[tuple["Airways", float]], dtype: str = "float64") -> np.ndarray:
+        """The buffer of vfcore.kernels.airways_many for airways of one ``shape``, each with its pressure in Pa.
+
+        At rest, like ``new_buffer``. ParameterError for airways of different shapes.
+        """
+        shapes = sorted({ways.shape for ways, _ in folds})
+        if len(shapes) > 1:
+            raise ParameterError("airways.shape", " and ".join(map(str, shapes)), "one shape in a batch")
+        _, n_s, n_v = shapes[0]
+        per_section = airways_many.PER_SECTION
+        air = np.zeros((airways_many.HEADER + per_section * (n_s + n_v), len(folds)))
+        for (ways, pressure_pa), column in zip(folds, air.T, strict=True):
+            column[: kernel.HEADER] = ways.new_buffer(pressure_pa)[: kernel.HEADER]
+            sections = column[airways_many.HEADER :].reshape(-1, per_section)
+            for tract, rows, end, arrival in (
+                (ways.subglottal, sections[:n_s], kernel.END_S, airways_many.ARRIVAL_S),
+                (ways.supraglottal, sections[n_s:], kernel.END_V, airways_many.ARRIVAL_V),
+            ):
+                alpha, beta = scales(tract)
+                r = tract.reflection
+                rows[:-1, airways_many.SECTION.index("ahead")] = -r * beta[1:] / ((1 + r) * alpha[:-1])
+                rows[:-1, airways_many.SECTION.index("behind")] = r * alpha[:-1] / ((1 - r) * beta[1:])
+                column[end : end + 2] *= alpha[-1]
+                column[arrival] = beta[0]
+        return np.ascontiguousarray(air, dtype).reshape(-1)
+
+
+def scales(tract: Tract) -> tuple[np.ndarray, np.ndarray]:
+    """α and β of vfcore.kernels.airways_many: waves over scaled waves, away from the glottis and back; (sections,)."""
+    kept, r = tract.transmission, tract.reflection
+    alpha = kept * np.cumprod(np.append(1.0, kept[:-1] * (1 + r)))
+    beta = kept * np.cumprod(np.append(1.0, (kept[1:] * (1 - r))[::-1]))[::-1]
+    return alpha, beta
 
 
 @lru_cache(maxsize=64)

@@ -32,8 +32,9 @@ Twin: tests/support/airways_twin.py. Not validated against measured pressures.
 
 import math
 
+from vfcore.kernels.flow import abs_
 from vfcore.kernels.jit import jit
-from vfcore.kernels.simd import load, store
+from vfcore.kernels.simd import load, maximum, minimum, select, square_root, store
 
 # Header of the airways buffer: fixed numbers, then the state. The rows of both airways follow it.
 SUBSTEPS, SECTIONS_S, SECTIONS_V, IMPEDANCE_S, IMPEDANCE_V, END_S, END_V = 0, 1, 2, 3, 4, 5, 8
@@ -47,6 +48,8 @@ ROWS = ("away", "back", "next_away", "next_back", "transmission", "reflection")
 WIDTH = 8  # sections per SIMD vector
 # The law is linearised at this drop or more, so that its viscous share is finite.
 SMALLEST_DROP_PA = 1.0
+#: Keeps the flow through a closed glottis finite, m³/s·√Pa; far below any opening, and normal in single precision.
+SMALLEST_ROOT = 1e-30
 
 
 @jit
@@ -57,16 +60,16 @@ def row_length(sections):
 
 @jit
 def viscous_share(flow, slope, drop):
-    """φ of the law through (``drop``, ``flow``) with slope dQ/dΔp ``slope``; 1 for a closed glottis."""
-    return min(max(2.0 - flow / (slope * drop), 0.0), 1.0) if flow > 0.0 else 1.0
+    """φ of the law through (``drop``, ``flow``) with slope dQ/dΔp ``slope``; 1 for a closed glottis. Floats or Vecs."""
+    return select(flow > 0.0, minimum(maximum(2.0 - flow / (slope * drop), 0.0), 1.0), 1.0)
 
 
 @jit
 def glottal_flow(D, Z, conductance, viscous, root_drop):
-    """Q, m³/s, from the law of the glottis and Δp = D − Z Q; ``root_drop`` is √Δp_0, √Pa."""
+    """Q, m³/s, from the law of the glottis and Δp = D − Z Q; ``root_drop`` is √Δp_0, √Pa. Floats or Vecs."""
     y2 = conductance * conductance
     B = viscous * root_drop * conductance + Z * y2
-    return 2.0 * D * y2 / (B + math.sqrt(B * B + 4.0 * (1.0 - viscous) * abs(D) * y2) + 1e-300)
+    return 2.0 * D * y2 / (B + square_root(B * B + 4.0 * (1.0 - viscous) * abs_(D) * y2) + SMALLEST_ROOT)
 
 
 @jit

@@ -187,6 +187,11 @@ def store(array, at, vec):
     array[at : at + len(vec)] = vec
 
 
+def width(vec):
+    """Number of elements; a constant of the compiled code."""
+    return len(vec)
+
+
 def load_param(array, k, folds, count):
     """Parameter ``k``: one scalar if ``folds`` is 1, else ``count`` numbers, one per fold."""
     return array[k] if folds == 1 else array[k * count : k * count + count].copy()
@@ -229,6 +234,17 @@ class _StoreTypes(AbstractTemplate):
     def generic(self, args, kws):
         array, at, vec = args
         return signature(types.none, array, types.intp, vec)
+
+
+@infer_global(width)
+class _WidthTypes(AbstractTemplate):
+    def generic(self, args, kws):
+        return signature(types.literal(args[0].count), *args)
+
+
+@lower_builtin(width, Vec)
+def _width(context, builder, sig, args):
+    return context.get_constant(types.intp, sig.args[0].count)
 
 
 @infer_global(load_param)
