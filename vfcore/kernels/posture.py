@@ -63,6 +63,8 @@ def continuation(equations, n, rows, count, largest):
                 b[k], b[p] = b[p], b[k]
             determinant *= A[k, k]
             for i in range(k + 1, n):
+                if A[i, k] == 0.0:  # often so for two sides, which touch only by their processes
+                    continue
                 f = A[i, k] / A[k, k]
                 b[i] -= f * b[k]
                 for col in range(k + 1, n):

@@ -26,6 +26,12 @@ a step leaves it. m is no unknown of the system: with ∂m/∂u = −(∂b/∂u)
 remains exact. Contact starts without a jump, with a kink of J, as on one side. For equal sides b vanishes in the
 middle, m = 0, and each side has the equations of one side.
 
+The mirrored posture of equal sides is always a root. It may be one that the path from rest does not reach: where the
+processes press hard, a small shift of the plane can let one arytenoid turn further in and make the other give way. In
+the set palaparthi2019 det J has the wrong sign there for a seventh of the random activations that close the glottis,
+and a slight difference of the sides moves the plane by up to 2.5 mm. In the other three sets this was not found. It
+comes from the published F_x,col: with a balance of T R in its place, it was found in no set.
+
 F_x,col is taken as published, without the factor 1/R (posture_equations.py). Where the joints of the sides differ in R,
 the plane depends on that. The forward forces F_y,col of two different sides do not balance, as the published law has
 no friction and no reaction in y.

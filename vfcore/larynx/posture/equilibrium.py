@@ -164,6 +164,8 @@ def _failure(reached: float) -> tuple[str, str]:
 
 
 Sides = tuple[PostureSolution, PostureSolution]
+SIDES = ("left", "right")
+_Packed = tuple[np.ndarray, Joints, Joints, np.ndarray, Joints, Joints, np.ndarray]
 
 
 def solve_sides(
@@ -201,16 +203,44 @@ def solve_each_sides(
     """
     check_number("left_length_m", left_length_m, 1e-3, 0.1, "m")
     check_number("right_length_m", right_length_m, 1e-3, 0.1, "m")
-    packed = _packed_sides_last(left_constants, right_constants)
-    n = len(pairs)
-    rows = np.array([_levels(left) + _levels(right) for left, right in pairs], np.float64).reshape(n, 10)
-    rows[:, [_IA, 5 + _IA]] = (0.5 * (rows[:, _IA] + rows[:, 5 + _IA]))[:, None]
-    unknowns, outcomes, planes = np.empty((n, 8)), np.empty((n, 2, 4)), np.empty(n)
-    status = np.empty(n, dtype=np.int64)
-    solve_postures_of_sides(rows, *packed, unknowns, outcomes, planes, status)
-    solved = (array.tolist() for array in (unknowns, outcomes, planes, status))
     constants, lengths = (left_constants, right_constants), (left_length_m, right_length_m)
+    solved = (array.tolist() for array in _solved_sides(pairs, *constants))
     return [_solution_of_sides(pair, constants, lengths, *found) for pair, *found in zip(pairs, *solved, strict=True)]
+
+
+def _solved_sides(
+    pairs: Sequence[tuple[Activation, Activation]], left: PosturingConstants, right: PosturingConstants
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Output of the kernel: roots (n, 8), outcomes (n, 2, 4), planes (n,), status (n,).
+
+    Equal sides are mirror images of one side, also where the mirrored posture is a root that the eight equations do not
+    reach (vfcore/kernels/posture_sides.py).
+    """
+    packed, alike = _packed_sides_last(left, right)
+    n = len(pairs)
+    rows = np.array([_levels(one) + _levels(other) for one, other in pairs], np.float64).reshape(n, 10)
+    rows[:, _IA] = rows[:, 5 + _IA] = (rows[:, _IA] + rows[:, 5 + _IA]) / 2
+    equal = (rows[:, :5] == rows[:, 5:]).all(axis=1) if alike else np.zeros(n, dtype=bool)
+    if not equal.any():
+        return _solved_different(rows, packed)
+    mirrored, outcome, status = _solved(rows[:, :5], left)
+    roots, outcomes = mirrored[:, [0, 1, 2, 0, 1, 2, 3, 4]], np.repeat(outcome[:, None], 2, axis=1)
+    planes, different = np.zeros(n), ~equal
+    if different.any():
+        for array, part in zip(
+            (roots, outcomes, planes, status), _solved_different(rows[different], packed), strict=True
+        ):
+            array[different] = part
+    return roots, outcomes, planes, status
+
+
+def _solved_different(rows: np.ndarray, packed: _Packed) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """``_solved_sides`` for the activations (n, 10) of different sides."""
+    n = len(rows)
+    roots, outcomes, planes = np.empty((n, 8)), np.empty((n, 2, 4)), np.empty(n)
+    status = np.empty(n, dtype=np.int64)
+    solve_postures_of_sides(rows, *packed, roots, outcomes, planes, status)
+    return roots, outcomes, planes, status
 
 
 _IA = MUSCLE_ORDER.index("ia")
@@ -226,8 +256,8 @@ COMMON_CONSTANTS = (
 
 
 @lru_cache(maxsize=64)
-def _packed_sides(left: PosturingConstants, right: PosturingConstants) -> tuple:
-    """Arguments of the kernel for two sets of constants."""
+def _packed_sides(left: PosturingConstants, right: PosturingConstants) -> tuple[_Packed, bool]:
+    """Arguments of the kernel for two sets of constants, and whether the sets are equal."""
     for name in COMMON_CONSTANTS:
         if left.value(name) != right.value(name):
             raise ParameterError(
@@ -235,15 +265,14 @@ def _packed_sides(left: PosturingConstants, right: PosturingConstants) -> tuple:
                 f"{right.value(name):g} differs from {left.value(name):g} of the left side",
                 "one value for both sides, which share the cricothyroid joint",
             )
-    sides, scales = [], []
-    for constants in (left, right):
-        muscles, joints, scale = _packed(constants)
-        sides += [muscles, joints, joints._replace(collision_ratio=0.0)]
-        scales.append(scale)
-    return (*sides, load_scale_of_sides(*scales))
+    muscles_l, joints_l, scale_l = _packed(left)
+    muscles_r, joints_r, scale_r = _packed(right)
+    free_l, free_r = (joints._replace(collision_ratio=0.0) for joints in (joints_l, joints_r))
+    scale = load_scale_of_sides(scale_l, scale_r)
+    return (muscles_l, joints_l, free_l, muscles_r, joints_r, free_r, scale), left == right
 
 
-def _packed_sides_last(left: PosturingConstants, right: PosturingConstants) -> tuple:
+def _packed_sides_last(left: PosturingConstants, right: PosturingConstants) -> tuple[_Packed, bool]:
     """``_packed_sides`` without hashing every constant when the same objects come repeatedly, as in a played voice."""
     global _last_sides
     if _last_sides[0] is not left or _last_sides[1] is not right:
@@ -275,8 +304,8 @@ def _solution_of_sides(
             unknowns[3 * side : 3 * side + 3] + unknowns[6:],
             outcomes[side],
             constants[side].L_0_posture_m * (1 + strains[side]),
-            sign * middle if touching else xi_02[side],
-            sign * plane if touching else None,
+            sign * middle + 0.0 if touching else xi_02[side],  # + 0.0: no negative zero
+            sign * plane + 0.0 if touching else None,
         )
         for side, sign in enumerate((1.0, -1.0))
     )
@@ -327,6 +356,3 @@ def _no_sides(
     blame = f" The {failing[0]} side is to blame: with its mirror image it fails too." if len(failing) == 1 else ""
     left, right = (_described(side, own) for side, own in zip(pair, constants, strict=True))
     return f"no posture for left {left}, right {right}: {what}.{blame} {remedy}"
-
-
-SIDES = ("left", "right")
