@@ -24,6 +24,8 @@ tests/support/posture_twin.py. Not validated but for published values of strain 
 import math
 from typing import NamedTuple
 
+from numba.extending import register_jitable
+
 from vfcore.kernels.jit import inlined
 
 # Rows of ``muscles``; the first five are also the order of an activation vector.
@@ -100,6 +102,21 @@ def stiffening(z, quadratic, quartic, limit):
     return value, 2.0 * quadratic * z + math.copysign(4.0 * quartic * beyond**3, z)
 
 
+@register_jitable(inline="always")  # other forms of inlining would change the last bits of every posture with contact
+def collision(xi, X, Y, theta, kappa, kappa_slope, j):
+    """T (N) of a process beyond the plane of contact, ∂T/∂ξ, ∂T/∂θ_a, and R; ``xi``: ξ from that plane."""
+    R = math.hypot(X, Y)
+    q = min(1.0, max(-1.0, (j.x_CAJ_m + xi) / R))
+    col_slope = 1.0 / (R * math.sqrt(1.0 - q * q)) if abs(q) < 1.0 else 0.0
+    depth = theta - (math.atan2(-Y, X) - math.acos(q))
+    law = depth + j.collision_cubic_rad2 * depth**3
+    law_slope = 1.0 + 3.0 * j.collision_cubic_rad2 * depth**2
+    T = -j.collision_ratio / R * kappa * law
+    T_theta = -j.collision_ratio / R * (kappa_slope * law + kappa * law_slope)
+    T_xi = j.collision_ratio / R * kappa * law_slope * col_slope
+    return T, T_xi, T_theta, R
+
+
 @inlined
 def equilibrium(u, activation, passive, muscles, j, r, jac):
     """Fill ``r`` (5,) and ``jac`` (5, 5) = ∂r/∂u; return ξ_02 (m, signed) and the fold strain ε̄."""
@@ -174,15 +191,7 @@ def equilibrium(u, activation, passive, muscles, j, r, jac):
 
     xi_02 = j.x_CAJ_m - X * c + Y * s + xi
     if xi_02 <= 0.0:
-        R = math.hypot(X, Y)
-        q = min(1.0, max(-1.0, (j.x_CAJ_m + xi) / R))
-        col_slope = 1.0 / (R * math.sqrt(1.0 - q * q)) if abs(q) < 1.0 else 0.0
-        depth = theta - (math.atan2(-Y, X) - math.acos(q))
-        law = depth + j.collision_cubic_rad2 * depth**3
-        law_slope = 1.0 + 3.0 * j.collision_cubic_rad2 * depth**2
-        T = -j.collision_ratio / R * kappa * law
-        T_theta = -j.collision_ratio / R * (kappa_slope * law + kappa * law_slope)
-        T_xi = j.collision_ratio / R * kappa * law_slope * col_slope
+        T, T_xi, T_theta, R = collision(xi, X, Y, theta, kappa, kappa_slope, j)
         arms = (-X * c + Y * s, -Y * c - X * s, R)
         arm_slopes = (X * s + Y * c, Y * s - X * c, 0.0)
         for a in range(3):

@@ -1,8 +1,9 @@
 """Statics of the larynx: fold strain and glottal half-angle from muscle activation.
 
 The steady state of Titze & Hunter (2007) as used by Alzamendi et al. (2022). Equations, signs and collision law are in
-vfcore/kernels/posture_equations.py, the path from rest in vfcore/kernels/posture.py. The result depends only on
-activation and constants: every solve starts from the unloaded joints.
+vfcore/kernels/posture_equations.py, those of two different sides in vfcore/kernels/posture_sides.py, the path from rest
+in vfcore/kernels/posture.py. The result depends only on activation and constants: every solve starts from the unloaded
+joints.
 """
 
 import math
@@ -13,9 +14,9 @@ from operator import attrgetter
 import numpy as np
 
 from vfcore.errors import ParameterError, PostureError
-from vfcore.kernels.posture import NO_REST, OK, solve_postures
+from vfcore.kernels.posture import NO_REST, OK, solve_postures, solve_postures_of_sides
 from vfcore.kernels.posture_equations import Joints
-from vfcore.larynx.posture.packing import MUSCLE_ORDER, load_scale, pack
+from vfcore.larynx.posture.packing import MUSCLE_ORDER, load_scale, load_scale_of_sides, pack
 from vfcore.larynx.posture.solution import PostureBatch, PostureSolution
 from vfcore.spec.fields import check_number
 from vfcore.spec.posture_sets import PosturingConstants, posture_set
@@ -117,7 +118,8 @@ def _solution(
     """Scalars rather than arrays: faster for one posture, and a played voice needs a hundred per second."""
     strain, xi_02, residual, reached = outcome
     if status != OK or not strain > -1:
-        return PostureError(_no_posture(activation, constants, 0.0 if status == NO_REST else reached))
+        what, remedy = _failure(0.0 if status == NO_REST else reached)
+        return PostureError(f"no posture for {_described(activation, constants)}: {what}. {remedy}")
     raw = float(np.arctan(xi_02 / (constants.L_0_posture_m * (1 + strain))))
     xi, psi, theta_a, epsilon_t, epsilon_r = unknowns
     return PostureSolution(
@@ -136,17 +138,221 @@ def _solution(
     )
 
 
-def _no_posture(activation: Activation, constants: PosturingConstants, reached: float) -> str:
-    """The error message for a posture that was not reached."""
+def _described(activation: Activation, constants: PosturingConstants) -> str:
+    """Muscles and constants in words, for an error."""
     muscles = ", ".join(f"{key.upper()} {getattr(activation, key):g}" for key in MUSCLE_ORDER)
     changed = " with overridden constants" if constants != posture_set(constants.set_name) else ""
+    return f"{muscles} with the posturing set {constants.set_name}{changed}"
+
+
+def _failure(reached: float) -> tuple[str, str]:
+    """What is wrong with a posture that was not reached, and a remedy."""
     if reached == 0:
-        what = "already the relaxed larynx has no equilibrium that follows from unloaded joints"
-        remedy = "Take back constants that weaken a joint or stiffen a tissue."
-    elif reached == 1:
-        what = "the equilibrium shortens the fold to less than nothing (strain below -1)"
-        remedy = "Lower TA, or take back constants that strengthen it or weaken the cricothyroid joint."
+        return (
+            "already the relaxed larynx has no equilibrium that follows from unloaded joints",
+            "Take back constants that weaken a joint or stiffen a tissue.",
+        )
+    if reached == 1:
+        return (
+            "the equilibrium shortens the fold to less than nothing (strain below -1)",
+            "Lower TA, or take back constants that strengthen it or weaken the cricothyroid joint.",
+        )
+    return (
+        f"the equilibrium followed from rest ends at {math.floor(1e4 * reached) / 1e4:.2%} of this activation",
+        "Lower the activation, or take back constants that weaken a joint or strengthen a muscle.",
+    )
+
+
+Sides = tuple[PostureSolution, PostureSolution]
+SIDES = ("left", "right")
+_Packed = tuple[np.ndarray, Joints, Joints, np.ndarray, Joints, Joints, np.ndarray]
+
+
+def solve_sides(
+    left: Activation,
+    right: Activation,
+    left_constants: PosturingConstants,
+    right_constants: PosturingConstants,
+    left_length_m: float = 0.015,
+    right_length_m: float = 0.015,
+) -> Sides:
+    """Posture of a larynx with two different sides: left, right. The lengths are those of the vibrating folds at rest.
+
+    IA is one muscle with two nerves: both sides have the mean of the two IA activations. Muscles and cricoarytenoid
+    joint may differ. Where the processes touch, the two half-angles close the glottis at the processes exactly, in the
+    middle between them; elsewhere they are the raw ones. Both are signed (see PostureSolution).
+    Raises PostureError where no root is connected to rest, ParameterError for a length out of range or for different
+    constants of the cricothyroid joint, which both sides share.
+    """
+    found = solve_each_sides([(left, right)], left_constants, right_constants, left_length_m, right_length_m)[0]
+    if isinstance(found, PostureError):
+        raise found
+    return found
+
+
+def solve_each_sides(
+    pairs: Sequence[tuple[Activation, Activation]],
+    left_constants: PosturingConstants,
+    right_constants: PosturingConstants,
+    left_length_m: float = 0.015,
+    right_length_m: float = 0.015,
+) -> list[Sides | PostureError]:
+    """``solve_sides`` for many pairs (left, right) in one call: for each its postures, or the error that says why not.
+
+    Raises ParameterError like ``solve_sides``.
+    """
+    check_number("left_length_m", left_length_m, 1e-3, 0.1, "m")
+    check_number("right_length_m", right_length_m, 1e-3, 0.1, "m")
+    constants, lengths = (left_constants, right_constants), (left_length_m, right_length_m)
+    solved = (array.tolist() for array in _solved_sides(pairs, *constants))
+    return [_solution_of_sides(pair, constants, lengths, *found) for pair, *found in zip(pairs, *solved, strict=True)]
+
+
+def _solved_sides(
+    pairs: Sequence[tuple[Activation, Activation]], left: PosturingConstants, right: PosturingConstants
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Output of the kernel: roots (n, 8), outcomes (n, 2, 4), planes (n,), status (n,).
+
+    Equal sides are mirror images of one side, also where the mirrored posture is a root that the eight equations do not
+    reach (vfcore/kernels/posture_sides.py).
+    """
+    packed, alike = _packed_sides_last(left, right)
+    n = len(pairs)
+    rows = np.array([_levels(one) + _levels(other) for one, other in pairs], np.float64).reshape(n, 10)
+    rows[:, _IA] = rows[:, 5 + _IA] = (rows[:, _IA] + rows[:, 5 + _IA]) / 2
+    equal = (rows[:, :5] == rows[:, 5:]).all(axis=1) if alike else np.zeros(n, dtype=bool)
+    if not equal.any():
+        return _solved_different(rows, packed)
+    mirrored, outcome, status = _solved(rows[:, :5], left)
+    roots, outcomes = mirrored[:, [0, 1, 2, 0, 1, 2, 3, 4]], np.repeat(outcome[:, None], 2, axis=1)
+    planes, different = np.zeros(n), ~equal
+    if different.any():
+        for array, part in zip(
+            (roots, outcomes, planes, status), _solved_different(rows[different], packed), strict=True
+        ):
+            array[different] = part
+    return roots, outcomes, planes, status
+
+
+def _solved_different(rows: np.ndarray, packed: _Packed) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """``_solved_sides`` for the activations (n, 10) of different sides."""
+    n = len(rows)
+    roots, outcomes, planes = np.empty((n, 8)), np.empty((n, 2, 4)), np.empty(n)
+    status = np.empty(n, dtype=np.int64)
+    solve_postures_of_sides(rows, *packed, roots, outcomes, planes, status)
+    return roots, outcomes, planes, status
+
+
+_IA = MUSCLE_ORDER.index("ia")
+#: Constants of the cricothyroid joint, and those of the equations themselves: one larynx has one value of each.
+COMMON_CONSTANTS = (
+    "L_0_posture_m",
+    "adductor_strain_gain",
+    "cos_phi",
+    "h_TA_m",
+    "w_CT_m",
+    *(name for name in Joints._fields if name.startswith(("k_t_", "k_r_"))),
+)
+
+
+@lru_cache(maxsize=64)
+def _packed_sides(left: PosturingConstants, right: PosturingConstants) -> tuple[_Packed, bool]:
+    """Arguments of the kernel for two sets of constants, and whether the sets are equal."""
+    for name in COMMON_CONSTANTS:
+        if left.value(name) != right.value(name):
+            raise ParameterError(
+                f"right.constants.{name}",
+                f"{right.value(name):g} differs from {left.value(name):g} of the left side",
+                "one value for both sides, which share the cricothyroid joint",
+            )
+    muscles_l, joints_l, scale_l = _packed(left)
+    muscles_r, joints_r, scale_r = _packed(right)
+    free_l, free_r = (joints._replace(collision_ratio=0.0) for joints in (joints_l, joints_r))
+    scale = load_scale_of_sides(scale_l, scale_r)
+    return (muscles_l, joints_l, free_l, muscles_r, joints_r, free_r, scale), left == right
+
+
+def _packed_sides_last(left: PosturingConstants, right: PosturingConstants) -> tuple[_Packed, bool]:
+    """``_packed_sides`` without hashing every constant when the same objects come repeatedly, as in a played voice."""
+    global _last_sides
+    if _last_sides[0] is not left or _last_sides[1] is not right:
+        _last_sides = (left, right, _packed_sides(left, right))
+    return _last_sides[2]
+
+
+_last_sides: tuple = (None, None, None)
+
+
+def _solution_of_sides(
+    pair: tuple[Activation, Activation],
+    constants: tuple[PosturingConstants, PosturingConstants],
+    lengths: tuple[float, float],
+    unknowns: list[float],
+    outcomes: list[list[float]],
+    plane: float,
+    status: int,
+) -> Sides | PostureError:
+    strains = [outcome[0] for outcome in outcomes]
+    if status != OK or not min(strains) > -1:
+        return PostureError(_no_sides(pair, constants, strains, 0.0 if status == NO_REST else outcomes[0][3]))
+    xi_02 = [outcome[1] for outcome in outcomes]
+    touching = sum(xi_02) <= 0
+    middle = (xi_02[0] - xi_02[1]) / 2
+    left, right = (
+        _side(
+            lengths[side],
+            unknowns[3 * side : 3 * side + 3] + unknowns[6:],
+            outcomes[side],
+            constants[side].L_0_posture_m * (1 + strains[side]),
+            sign * middle + 0.0 if touching else xi_02[side],  # + 0.0: no negative zero
+            sign * plane + 0.0 if touching else None,
+        )
+        for side, sign in enumerate((1.0, -1.0))
+    )
+    return left, right
+
+
+def _side(
+    fold_length_m: float,
+    unknowns: list[float],
+    outcome: list[float],
+    stretched_m: float,
+    half_gap_m: float,
+    plane: float | None,
+) -> PostureSolution:
+    """One side: ``stretched_m`` is L_0 (1 + ε̄) with the posturing L_0, ``half_gap_m`` its share of the gap."""
+    strain, xi_02, residual, _ = outcome
+    xi, psi, theta_a, epsilon_t, epsilon_r = unknowns
+    return PostureSolution(
+        strain=strain,
+        glottal_half_angle_rad=math.atan(half_gap_m / stretched_m),
+        raw_glottal_half_angle_rad=math.atan(xi_02 / stretched_m),
+        length_m=fold_length_m * (1 + strain),
+        half_gap_m=half_gap_m,
+        xi_m=xi,
+        psi_m=psi,
+        theta_a_rad=theta_a,
+        epsilon_t=epsilon_t,
+        epsilon_r=epsilon_r,
+        residual=residual,
+        converged=True,
+        contact_plane_m=plane,
+    )
+
+
+def _no_sides(
+    pair: tuple[Activation, Activation],
+    constants: tuple[PosturingConstants, PosturingConstants],
+    strains: list[float],
+    reached: float,
+) -> str:
+    """The error message for a pair that was not reached; it names the side that fails by itself, if only one does."""
+    what, remedy = _failure(reached)
+    if reached == 1:
+        failing = [name for name, strain in zip(SIDES, strains, strict=True) if not strain > -1]
     else:
-        what = f"the equilibrium followed from rest ends at {math.floor(1e4 * reached) / 1e4:.2%} of this activation"
-        remedy = "Lower the activation, or take back constants that weaken a joint or strengthen a muscle."
-    return f"no posture for {muscles} with the posturing set {constants.set_name}{changed}: {what}. {remedy}"
+        alone = (solve_each_posture([side], own)[0] for side, own in zip(pair, constants, strict=True))
+        failing = [name for name, found in zip(SIDES, alone, strict=True) if isinstance(found, PostureError)]
+    blame = f" The {failing[0]} side is to blame: with its mirror image it fails too." if len(failing) == 1 else ""
+    left, right = (_described(side, own) for side, own in zip(pair, constants, strict=True))
+    return f"no posture for left {left}, right {right}: {what}.{blame} {remedy}"

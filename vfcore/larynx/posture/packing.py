@@ -55,3 +55,13 @@ def load_scale(muscles: np.ndarray, joints: Joints) -> np.ndarray:
             max(SMALLEST_MOMENT_SCALE_N_M, joints.w_CT_m * peak[CT] + joints.h_TA_m * tension),
         ]
     )
+
+
+def load_scale_of_sides(left: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """Scale of the residuals of two sides, (9,), from the ``load_scale`` of each.
+
+    The three equations of the left arytenoid, the three of the right, the two of the cricothyroid joint (mean of both
+    sides), and the balance of the lateral contact forces (mean of both sides).
+    """
+    mean = (left + right) / 2
+    return np.concatenate([left[:3], right[:3], mean[3:], mean[:1]])

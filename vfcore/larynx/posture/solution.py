@@ -16,7 +16,12 @@ class PostureSolution:
     slightly negative at full adduction. half_gap_m: distance of the vocal process from the medial plane,
     ξ_02 clipped at 0: half the gap between the processes. xi_m, psi_m, theta_a_rad: lateral and anterior translation
     and inward rotation of the arytenoid. epsilon_t, epsilon_r: strain by cricothyroid translation, rotation.
-    residual: largest of the five residuals over its scale (packing.load_scale), at most 1e-12 when converged.
+    residual: largest of the residuals over its scale (packing.load_scale), at most 1e-12 when converged.
+
+    A side of a larynx with two different sides (equilibrium.solve_sides): the distances and angles at the vocal process
+    are signed, from the midline towards this side, so one is negative for a side that crosses the midline. Where the
+    processes touch, glottal_half_angle_rad and half_gap_m are those of a process in the middle between both, and
+    contact_plane_m is the plane in which the contact forces balance. Otherwise contact_plane_m is None.
     """
 
     strain: float
@@ -31,6 +36,7 @@ class PostureSolution:
     epsilon_r: float
     residual: float
     converged: bool
+    contact_plane_m: float | None = None
 
 
 class PostureBatch(NamedTuple):
