@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from vfcore.errors import ParameterError
 from vfcore.runs.error_estimate import companions
-from vfcore.runs.one import prepare, steps_of
+from vfcore.runs.one import steps_of
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import Simulation
 
 

@@ -1,6 +1,7 @@
 """What the page draws of a live voice, as JSON: the waves of the blocks since the last frame, and the folds."""
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 import orjson
@@ -40,14 +41,23 @@ class StateFrame:
         return self._area[: self._count].reshape(-1)
 
     def text(self, state: dict, x_m: np.ndarray, w_m: np.ndarray, medial_m: np.ndarray) -> str:
-        """A frame as JSON: ``state``, the waves, and the folds at ``x_m`` (nx,), m: displacement and medial plane, both
-        (ny, nx), m, at their edges."""
+        """A frame as JSON: ``state``, the waves, and the folds at ``x_m`` (walls, nx), m: displacement and medial plane,
+        both (walls, ny, nx), m, at their edges. Of two different folds the right one is under ``right``."""
         state["spl_lips_db"] = rounded(level_db(self._lip[: self._count].reshape(-1)))
         state["wave_rate_hz"] = WAVE_RATE_HZ
-        edges = np.round((x_m, w_m[0], w_m[-1], medial_m[0], medial_m[-1]), LENGTH_DECIMALS)
         waves = 1e6 * np.array((self.area_m2[::WAVE_EVERY], self._flow[: self._count].reshape(-1)))
-        state |= zip((*EDGES, *WAVES), (*edges, *np.round(waves, WAVE_DECIMALS)), strict=True)
+        state |= zip(WAVES, np.round(waves, WAVE_DECIMALS), strict=True)
+        left, *others = (dict(zip(EDGES, one, strict=True)) for one in self._edges(x_m, w_m, medial_m))
+        state |= left
+        if others:
+            state["right"] = others[0]
         return orjson.dumps(state, option=orjson.OPT_SERIALIZE_NUMPY).decode()
+
+    @staticmethod
+    def _edges(x_m: np.ndarray, w_m: np.ndarray, medial_m: np.ndarray) -> Iterator[np.ndarray]:
+        """What EDGES names, (5, nx), of each wall."""
+        for x, w, medial in zip(x_m, w_m, medial_m, strict=True):
+            yield np.round((x, w[0], w[-1], medial[0], medial[-1]), LENGTH_DECIMALS)
 
 
 def rounded(value: float) -> float | None:

@@ -7,7 +7,7 @@ from fastapi.responses import JSONResponse
 
 from vfcore.io.result_document import posture_document
 from vfcore.runs.many import static_shapes
-from vfcore.runs.one import FoldSetup, prepare
+from vfcore.runs.setup import GlottisSetup, prepare
 from vocalis.server.http.openapi import ok, problems
 from vocalis.server.schemas import answers
 from vocalis.server.schemas.neighbours import NeighboursBody, requests_of
@@ -40,7 +40,7 @@ async def postures(body: NeighboursBody, request: Request, shared: Shared) -> JS
 
     def solve() -> dict[str, Any]:
         shapes = static_shapes(wanted)
-        return {"answers": [posture_document(shape) if isinstance(shape, FoldSetup) else None for shape in shapes]}
+        return {"answers": [posture_document(shape) if isinstance(shape, GlottisSetup) else None for shape in shapes]}
 
     await shared.kernels.for_postures()
     return JSONResponse(await shared.postures.run(solve, request.is_disconnected))

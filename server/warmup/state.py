@@ -7,7 +7,8 @@ import time
 from collections.abc import Callable
 from multiprocessing.process import BaseProcess
 
-from vfcore.runs.one import prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import prepare
 from vfcore.version import MODEL_VERSION
 from vocalis.server.exceptions import NotReady
 from vocalis.server.warmup.compile import compile_in_background

@@ -11,7 +11,8 @@ import pytest
 
 from tests.support.fold_harness import MODAL, product_and_twin
 from vfcore.kernels.layout import Layout
-from vfcore.runs.one import prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import PAPER_STEP_S, Run, Simulation
 from vocalis.bench import history, suite
 from vocalis.bench.answers import answers

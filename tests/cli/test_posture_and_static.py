@@ -10,7 +10,7 @@ import pytest
 
 import vfcore
 from vfcore.io.result_document import posture_document
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.posture_sets import constant_names
 from vfcore.spec.simulation import Activation, Run, Simulation
 from vocalis.cli.main import main

@@ -11,7 +11,7 @@ from vfcore.airways.coupled import Airways, airways
 from vfcore.airways.tract import Tract
 from vfcore.fold.assemble import beam, membrane
 from vfcore.fold.march import TimeMarch
-from vfcore.kernels.layout import RECORD
+from vfcore.fold.form import RECORD
 from vfcore.runs.one import simulate
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S, SECTION_TRAVEL_S

@@ -12,7 +12,7 @@ from vfcore.errors import DivergenceError, VocalisError
 from vfcore.fold.assemble import membrane
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import SAFETY, longest_stable_step_s
-from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M
+from vfcore.fold.step import LARGEST_DISPLACEMENT_M
 from vfcore.spec.simulation import Run, Simulation
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from tests.support.fold_harness import advance, product_and_twin
 from vfcore.fold.march import TimeMarch
-from vfcore.kernels.layout import RECORD
+from vfcore.fold.form import RECORD
 
 AREA, FLOW, CONTACT = (RECORD.index(name) for name in ("glottal_area_m2", "glottal_flow_m3_s", "contact_area_m2"))
 

@@ -34,7 +34,7 @@ def test_a_cache_folder_set_by_the_user_is_used(tmp_path):
 
 COMPILE = """
 from tests.physics.test_kernel_glide import test_a_glide_equals_its_stretches
-from vfcore.kernels.fold import step_kernel
+from vfcore.fold.step import step_kernel
 from vfcore.kernels.glide import glide_kernel
 from vfcore.kernels.reassemble import reassemble_kernel
 test_a_glide_equals_its_stretches()

@@ -5,10 +5,10 @@ import pytest
 
 from vfcore.fold import assemble
 from vfcore.fold.march import TimeMarch
-from vfcore.kernels.fold import step_kernel
-from vfcore.kernels.layout import RECORD
+from vfcore.fold.step import step_kernel
+from vfcore.fold.form import RECORD
 from vfcore.runs.gesture.glide import STRETCH_STEPS, FoldSpec, GlidingFold
-from vfcore.runs.one import fold_of, posture_of
+from vfcore.runs.setup import fold_of, posture_of
 from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Run, Simulation
 
 pytestmark = pytest.mark.kernel

@@ -11,7 +11,7 @@ from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.layout import SCALARS, Layout
 from vfcore.kernels.reassemble import reassemble_kernel
 from vfcore.runs.gesture.glide import FoldSpec, GlidingFold, packed
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Model, PostureOverride, Run, Simulation
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, product_and_twin, random_state
-from vfcore.kernels.surface import surface_pressures
+from vfcore.fold.surface import surface_pressures
 
 P_S = 1000.0
 

@@ -19,7 +19,7 @@ from tests.support.fold_harness import (
     put_state,
 )
 from vfcore.fold.march import TimeMarch
-from vfcore.kernels.layout import RECORD
+from vfcore.fold.form import RECORD
 from vfcore.spec.simulation import PAPER_STEP_S
 
 SIZE_M = 1e-6

@@ -6,7 +6,7 @@ import pytest
 import vfcore
 from vfcore.errors import ParameterError, StabilityError
 from vfcore.fold.stability import longest_stable_step_s, time_step_s
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Run, Simulation
 
 

@@ -11,7 +11,7 @@ from tests.server.live_server import SHORT
 from vfcore.airways.coupled import tract_of
 from vfcore.airways.resonances import closed_glottis_formants
 from vfcore.airways.tract import vowel_tract
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.runs.result import ARRAYS
 from vfcore.spec.address import address
 from vfcore.spec.paths import NUMBERS

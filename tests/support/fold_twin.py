@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from tests.support.coefficient_twin import coefficients
-from vfcore.kernels.flow import MIN_GAP_CHANGE_M
+from vfcore.fold.terms.air import MIN_GAP_CHANGE_M
 from vfcore.spec.fold_constants import FoldConstants
 
 

@@ -8,7 +8,8 @@ from tests.support.model_tables import table
 from tests.support.separation_twin import TWINS, measured_voice
 from vfcore.errors import DivergenceError
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.runs.one import prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import prepare
 from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, SECTION_TRAVEL_S, Activation, Model, Run, Simulation
 

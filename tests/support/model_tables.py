@@ -16,7 +16,7 @@ from pathlib import Path
 from tests.support.model_numbers import NUMBERS
 from vfcore.fold.stability import longest_stable_step_s, time_step_s
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.joints import JointConstants
 from vfcore.spec.muscles import Muscle

@@ -14,7 +14,7 @@ from tests.support.fold_twin import Flow, FoldTwin
 from vfcore.fold.stability import time_step_s
 from vfcore.measures.catalogue import MeasureReport, measure_all
 from vfcore.measures.signals import Signals
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import Simulation
 
 RUN_S = 0.6

@@ -10,7 +10,8 @@ import pytest
 import vfcore
 from vfcore.io.result_document import json_text, posture_document, result_document
 from vfcore.measures.measure import Measure
-from vfcore.runs.one import prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import prepare
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Activation, PostureOverride, Run, Simulation
 

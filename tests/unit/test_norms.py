@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.support.inline_pool import InlinePool
-from vfcore.runs.one import posture_of
+from vfcore.runs.setup import posture_of
 from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.request import document_of, resolve
 from vfcore.spec.variants import VARIANTS

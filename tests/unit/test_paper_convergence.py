@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.support.inline_pool import InlinePool
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import Model, Run, Simulation
 from vocalis.studies.paper.convergence import refinement
 from vocalis.studies.paper.convergence.refinement import (

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from tests.support.inline_pool import InlinePool
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.posture_sets import posture_set
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Activation, Simulation

@@ -13,7 +13,7 @@ import xarray
 
 import vfcore
 from vfcore.errors import Cancelled, ParameterError
-from vfcore.kernels.layout import LANES
+from vfcore.fold.form import LANES
 from vfcore.runs.many import run_points
 from vfcore.runs.sweep import SweepTable, run_sweep, sweep_from_dict
 from vfcore.runs.sweep.cost import Portions, point_node_steps

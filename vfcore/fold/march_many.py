@@ -1,8 +1,8 @@
-"""Time march of many folds: those with the same grid, step and length share a buffer, one fold per vector element.
+"""Time march of many glottises: those of one form, step and length share a buffer, one per vector element.
 
-The result of a fold does not depend on the others: vector arithmetic is elementwise, and a batch that is not full is
-padded with copies of its first fold. So a point of a sweep is the same, bit for bit, in any batch, and a fold that
-diverges does not disturb the others. Single precision (twice as many folds per vector) has seven digits.
+The result of a glottis does not depend on the others: vector arithmetic is elementwise, and a batch that is not full is
+padded with copies of its first glottis. So a point of a sweep is the same, bit for bit, in any batch, and a glottis that
+diverges does not disturb the others. Single precision (twice as many per vector) has seven digits.
 """
 
 from collections import defaultdict
@@ -11,40 +11,46 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfcore.airways.coupled import Airways
 from vfcore.errors import Cancelled, DivergenceError
-from vfcore.fold import assemble
-from vfcore.fold.march import diverged, flat_bump, record_every, samples_per_chunk
+from vfcore.fold.assemble import Glottis
+from vfcore.fold.form import LANES, RECORD, StepForm
+from vfcore.fold.march import Glottises, record_every, samples_per_chunk
 from vfcore.fold.statics import StaticShape
-from vfcore.kernels.fold import LARGEST_DISPLACEMENT_M, step_kernel
-from vfcore.kernels.layout import LANES, RECORD, SCALARS, Layout
 
-#: The columns of layout.RECORD that are stored: without airways the other two are P_s and 0.
+#: The columns that are stored: no measure of a point of a sweep needs the others.
 OF_EACH = RECORD[: RECORD.index("inlet_pressure_pa")]
-FLOW = OF_EACH.index("glottal_flow_m3_s")
+FLOW = RECORD.index("glottal_flow_m3_s")
 
 
 class MarchInput(NamedTuple):
-    """One fold and how to march it: from ``start``, or flat with a bump of 1 nm.
+    """One glottis and how to march it: from the static shapes ``start``, or flat with a bump of 1 nm.
 
-    ``flow_only_samples``: number of samples at the beginning of which only the flow is stored.
+    ``airways``: those that act back, None with one-way coupling. ``flow_only_samples``: number of samples at the
+    beginning of which only the flow is stored.
     """
 
-    fold: assemble.Fold
+    glottis: Glottis
     time_step_s: float
     pressure_pa: float
     duration_s: float
     rise_s: float = 0.0
-    start: StaticShape | None = None
+    start: tuple[StaticShape, ...] | None = None
     flow_only_samples: int = 0
+    airways: Airways | None = None
 
     @property
     def sample_s(self) -> float:
         """Time between two recorded samples."""
         return self.time_step_s * record_every(self.time_step_s)
 
+    def form(self, precision: str) -> StepForm:
+        """The form of the step in which it marches."""
+        return self.glottis.form(coupled=self.airways is not None, many=True, precision=precision)
+
 
 class MarchResult(NamedTuple):
-    """The record (samples − flow_only_samples, len(OF_EACH)) of one fold and its flow (samples,), m³/s.
+    """The record (samples − flow_only_samples, len(OF_EACH)) of one glottis and its flow (samples,), m³/s.
 
     Each column is contiguous and has the precision of the march. ``sample_s``: time between two samples.
     """
@@ -61,7 +67,7 @@ def march_many(
     stop: Callable[[], bool] | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Iterator[tuple[int, MarchResult | DivergenceError]]:
-    """March all inputs; yield (index, result or the error of a fold that diverged) as batches finish.
+    """March all inputs; yield (index, result or the error of a glottis that diverged) as batches finish.
 
     A batch is marched when its first result is requested. Between chunks of at most 40 ms of voice ``progress`` is
     called with the finished fraction, and ``stop()`` is checked; if it returns true, Cancelled is raised. The step
@@ -70,8 +76,9 @@ def march_many(
     precision = "float32" if single_precision else "float64"
     alike: dict[tuple, list[int]] = defaultdict(list)
     for index, one in enumerate(inputs):
-        fold, samples = one.fold, round(one.duration_s / one.sample_s)
-        alike[fold.nx, fold.ny, fold.rotation, one.time_step_s, one.flow_only_samples, samples].append(index)
+        samples = round(one.duration_s / one.sample_s)
+        tubes = one.airways.shape if one.airways else None
+        alike[one.form(precision), tubes, one.time_step_s, one.flow_only_samples, samples].append(index)
     size = LANES[precision]
     batches = [
         (key[-1], members[begin : begin + size])
@@ -87,52 +94,38 @@ def march_many(
             yield index, error or MarchResult(records[place].T, flows[place], inputs[index].sample_s)
 
 
-class _Batch:
-    """Up to LANES[precision] folds of the same grid, step and length in one buffer."""
+class _Batch(Glottises):
+    """Up to LANES[precision] glottises of the same form, step and length in one buffer."""
 
     def __init__(self, inputs: Sequence[MarchInput], precision: str):
-        first = inputs[0].fold
-        self.inputs, self.folds = inputs, LANES[precision]
-        self.time_step_s, self.flow_only_samples = inputs[0].time_step_s, inputs[0].flow_only_samples
-        self.record_every = record_every(self.time_step_s)
+        self.inputs, first = inputs, inputs[0]
+        form = first.form(precision)
+        padded = [*inputs, *[first] * (form.lanes - len(inputs))]
+        air = None
+        if first.airways is not None:
+            air = Airways.new_buffers([(one.airways, one.pressure_pa) for one in padded if one.airways], precision)
+        super().__init__([one.glottis for one in padded], form, first.time_step_s, air)
+        self.flow_only_samples = first.flow_only_samples
         self.errors: list[DivergenceError | None] = [None] * len(inputs)
-        self.layout = Layout(first.nx, first.ny, self.folds, self.folds)
-        self.buffer = assemble.empty_buffer(self.layout, precision)
-        self._beyond = assemble.beyond(self.buffer, self.layout)[: len(inputs)]
-        self.scalars = np.empty((len(SCALARS), self.folds), precision)
-        padded = [*inputs, *[inputs[0]] * (self.folds - len(inputs))]
         for place, one in enumerate(padded):
-            assemble.fill(self.buffer, self.layout, place, one.fold, self.time_step_s)
-            self.scalars[:, place] = assemble.scalars(one.fold, self.time_step_s)
-            self._start(place, one)
-        self._advance = step_kernel(first.nx, first.ny, first.rotation, precision, many=True)
-        self._before = self.buffer.copy()
+            self.start(place, one.start)
+        self._before, self._air_before = self.buffer.copy(), self.air.copy()
         self._pressure_pa = np.array([one.pressure_pa for one in padded])
-        self._steady_pa = np.empty((0, self.folds), precision)
+        self._steady_pa = np.empty((0, form.lanes), precision)
         self._rise_s = np.array([one.rise_s for one in padded])
-
-    def _start(self, place: int, one: MarchInput) -> None:
-        fold, shape = one.fold, one.start
-        w = assemble.membranes(self.buffer, self.layout)[:, :, place]
-        if shape is None:
-            w[:] = flat_bump(fold)
-            return
-        w[:] = shape.w_m
-        assemble.beams(self.buffer, self.layout)[:, place] = shape.w_b
-        if fold.rotation:
-            assemble.membranes(self.buffer, self.layout, "phi")[:-1, :, place] = np.diff(shape.w_m, axis=0) / fold.dy
 
     def run(
         self, samples: int, progress: Callable[[float], None] | None, stop: Callable[[], bool] | None
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Records (len(inputs), len(OF_EACH), samples − flow_only_samples) and flows (len(inputs), samples).
+        """Records (len(inputs), columns, samples − flow_only_samples) and flows (len(inputs), samples).
 
-        Those of a fold with an entry in ``errors`` are meaningless.
+        Those of a glottis with an entry in ``errors`` are meaningless.
         """
         kind, count, skip = self.buffer.dtype, len(self.inputs), self.flow_only_samples
-        records, flows = np.empty((count, len(OF_EACH), samples - skip), kind), np.empty((count, samples), kind)
-        per_chunk = samples_per_chunk(self.inputs[0].fold, self.time_step_s)
-        chunk_record = np.empty((min(per_chunk, samples), len(RECORD), self.folds), self.buffer.dtype)
+        columns = len(OF_EACH)
+        records, flows = np.empty((count, columns, samples - skip), kind), np.empty((count, samples), kind)
+        per_chunk = samples_per_chunk(self.glottises[0], self.time_step_s)
+        chunk_record = np.empty((min(per_chunk, samples), len(self.form.record), self.form.lanes), kind)
         for begin in range(0, samples, per_chunk):
             if stop is not None and stop():
                 raise Cancelled("the run was stopped")
@@ -141,7 +134,7 @@ class _Batch:
             self._chunk(begin, chunk)
             flows[:, begin:end] = chunk[:, FLOW, :count].T
             if end > skip:
-                kept = chunk[max(skip - begin, 0) :, : len(OF_EACH), :count]
+                kept = chunk[max(skip - begin, 0) :, :columns, :count]
                 records[:, :, max(begin - skip, 0) : end - skip] = kept.transpose(2, 1, 0)
             if progress is not None:
                 progress(end / samples)
@@ -150,20 +143,19 @@ class _Batch:
         return records, flows
 
     def _chunk(self, first_sample: int, record: np.ndarray) -> None:
-        self._before[:] = self.buffer
+        self._before[:], self._air_before[:] = self.buffer, self.air
         first = first_sample * self.record_every
         steps = np.arange(first, first + len(record) * self.record_every)
-        self._step(self.buffer, steps, self.record_every, record)
-        diverging = [place for place in np.flatnonzero(self._beyond).tolist() if self.errors[place] is None]
-        if diverging:
-            self._locate(diverging, self._before, steps)
-
-    def _step(self, buffer: np.ndarray, steps: np.ndarray, every: int, record: np.ndarray) -> None:
         pressures = self._pressures_at(steps)
-        self._advance(buffer, self.scalars.reshape(-1), pressures.reshape(-1), every, record.reshape(-1))
+        self.advance(pressures, self.record_every, record)
+        seen = self.beyond[: len(self.inputs)]
+        new = [place for place in np.flatnonzero(seen).tolist() if self.errors[place] is None]
+        if new:
+            for place, error in self.diverging(new, self._before, self._air_before, steps, pressures):
+                self.errors[place] = error
 
     def _pressures_at(self, steps: np.ndarray) -> np.ndarray:
-        """Lung pressure (steps, folds), Pa; do not write to it."""
+        """Lung pressure (steps, glottises), Pa; do not write to it."""
         if len(steps) > len(self._steady_pa):
             self._steady_pa = np.tile(self._pressure_pa.astype(self.buffer.dtype), (len(steps), 1))
         pressures = self._steady_pa[: len(steps)]
@@ -172,16 +164,3 @@ class _Batch:
             pressures = pressures.copy()
             pressures[:, rising] *= np.minimum(steps[:, None] * self.time_step_s / self._rise_s[rising], 1.0)
         return pressures
-
-    def _locate(self, places: list[int], buffer: np.ndarray, steps: np.ndarray) -> None:
-        """Repeat a chunk step by step; store for each of ``places`` when and where it passed the bound."""
-        scratch = np.empty((1, len(RECORD), self.folds), buffer.dtype)
-        for step in steps:
-            self._step(buffer, np.array([step]), 1, scratch)
-            beyond = ~(np.abs(assemble.membranes(buffer, self.layout)) < LARGEST_DISPLACEMENT_M)  # true for NaN
-            for place in [place for place in places if beyond[:, :, place].any()]:
-                fold = self.inputs[place].fold
-                self.errors[place] = diverged(fold, self.time_step_s, step, beyond[:, :, place])
-                places.remove(place)
-            if not places:
-                return

@@ -1,6 +1,6 @@
-"""The longest stable time step of a fold, computed before the run.
+"""The longest stable time step of a glottis, computed before the run.
 
-A mode of angular frequency ω and damping rate c obeys, under the step of vfcore/kernels/fold.py,
+A mode of angular frequency ω and damping rate c obeys, under the step of vfcore/fold/step.py,
 
     z (z − 1)² + (z − 1)(3/2 a z − a/2) + s (z² + (z − 1)²/12) = 0,    s = ω² dt²,  a = c dt
 
@@ -10,53 +10,99 @@ reach the unit circle is the alternating mode z = −1, at s/3 + a = 1. So the b
     dt < 2/(c + √(c² + 4/3 ω²))
 
 The largest ω² and c on the grid are bounded by those of the membrane alone or of the beam alone, whichever allows the
-shorter step, plus those of the coupling between them; all springs and dampers count as engaged. The tension, bending
-and end moments of the beam are implicit and set no limit; its foundation limits the step slightly less than the bound
-says. The air is not included. Derivation: docs/model/numerics.md, "Stability".
+shorter step, plus those of the coupling between them; all springs and dampers count as engaged, each at its largest
+value over the surface and at the smallest mass. Each term adds its share:
+
+    tension    4 T/dx² over ρ_s; with finite stretch T at the stretch tension.SWING above the prestrain, and on the beam
+               what the stretch adds, 4 N'/dx² over ρ_l
+    shear      4 G̃/dy² and 4 η̃/dy² over ρ_s; rotation: G_m and η_m over J_m too
+    contact    K_col and C_col over ρ_s
+    coupling   K_coup and C_coup over the reduced mass, 1/ρ_s + b/ρ_l;  foundation: K_foun and C_foun over ρ_l
+
+The prestrain's tension, the bending and the end moments of the beam are implicit and set no limit; its foundation
+limits the step slightly less than the bound says. The air is not included. Of two walls the tighter bound holds.
+Derivation: docs/model/numerics.md, "Stability".
 """
 
 import math
 
 from vfcore.errors import StabilityError
-from vfcore.fold.assemble import Fold
-from vfcore.kernels.tissue import longest_step
+from vfcore.fold.assemble import Fold, Glottis
+from vfcore.fold.terms import WALL_NUMBERS
+from vfcore.fold.terms.tension import SWING, axial, stretched
+from vfcore.kernels.jit import formula, jit
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run
 
 #: Fraction of the bound that is used: margin for rounding and for the air, which the linear bound does not include.
 SAFETY = 0.95
+(_INV_RHO_L, _T, _STRETCH, _BEAM, _INV_J, _ROTATION, _K_FOUN, _C_FOUN) = (
+    WALL_NUMBERS.index(name)
+    for name in ("inv_beam_density", "T_over_dx2", "stretch_gain", "beam_gain", "inv_rotation_inertia",
+                 "rotation_share", "K_foun", "C_foun")
+)  # fmt: skip
 
 
-def longest_stable_step_s(fold: Fold) -> float:
-    """SAFETY times the step, s, at which a mode of the linear system, with contact engaged, would grow."""
-    c, stiffest = fold.coefficients, float(fold.K_coup_pa_m.max())
-    return SAFETY * longest_step(
-        fold.rotation,
-        fold.dx,
-        fold.dy,
-        c.membrane_tension_n_m,
-        c.membrane_shear_n_m,
-        c.membrane_shear_viscosity_n_s_m,
-        c.membrane_density_kg_m2,
-        c.rotation_inertia_kg_m,
-        c.thickness_m,
-        c.beam_density_kg_m,
-        stiffest,
-        fold.constants,
+@jit
+def longest_step(rotation, finite, thickness, fields, numbers):
+    """The time step at which the first mode of a wall would grow, s. Arguments as in vfcore.fold.assemble.Fold."""
+    ny, nx = fields.shape[1:]
+    lightest, largest = math.inf, [0.0] * 9
+    for j in range(ny):
+        for i in range(nx):
+            lightest = min(lightest, fields[1, j, i])
+            for k in range(2, 9):
+                largest[k] = max(largest[k], fields[k, j, i])
+    n, inv_rho_s, inv_rho_l = numbers, 1.0 / lightest, numbers[_INV_RHO_L]
+    T, pull, k = n[_T], 0.0, _STRETCH
+    if finite:
+        T = max(T, stretched(SWING, n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5]))
+        k = _BEAM
+        pull = axial(
+            SWING, n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9], n[k + 10],
+            n[k + 11],
+        )  # fmt: skip
+    membrane_omega2 = (4.0 * T * largest[2] + 4.0 * largest[3] + largest[7]) * inv_rho_s
+    membrane_rate = (4.0 * largest[4] + largest[8]) * inv_rho_s
+    if rotation:
+        membrane_omega2 += largest[3] * n[_ROTATION] * n[_INV_J]
+        membrane_rate += largest[4] * n[_ROTATION] * n[_INV_J]
+    inv_reduced_mass = inv_rho_s + thickness * inv_rho_l
+    omega2, rate = largest[5] * inv_reduced_mass, largest[6] * inv_reduced_mass
+    beam_omega2 = n[_K_FOUN] * inv_rho_l + 4.0 * max(pull, 0.0) * inv_rho_l
+    return min(
+        critical_step(membrane_omega2 + omega2, membrane_rate + rate),
+        critical_step(beam_omega2 + omega2, n[_C_FOUN] * inv_rho_l + rate),
     )
 
 
-def time_step_s(run: Run, fold: Fold) -> float:
+@formula
+def critical_step(omega2, rate):
+    """The step at which s/3 + a = 1, s; infinite without spring and damper."""
+    weight = rate + math.sqrt(rate**2 + 4.0 / 3.0 * omega2)
+    return 2.0 / weight if weight > 0.0 else math.inf
+
+
+def longest_stable_step_s(glottis: Glottis) -> float:
+    """SAFETY times the step, s, at which a mode of the linear system, with contact engaged, would grow."""
+    return SAFETY * min(_longest(wall) for wall in glottis.walls)
+
+
+def _longest(wall: Fold) -> float:
+    return longest_step(wall.rotation, wall.finite, wall.coefficients.thickness_m, wall.fields, wall.numbers)
+
+
+def time_step_s(run: Run, glottis: Glottis) -> float:
     """The time step of a run, s: the requested one, or the longest stable DEFAULT_STEP_S/k.
 
     Raises StabilityError if the requested step is too long for the grid.
     """
-    limit = longest_stable_step_s(fold)
+    limit = longest_stable_step_s(glottis)
     if run.time_step_s is None:
         return DEFAULT_STEP_S / max(1, math.ceil(DEFAULT_STEP_S / limit))
     if run.time_step_s > limit:
         raise StabilityError(
             "run.time_step_s",
-            f"{run.time_step_s:.4g} s would grow without bound on the {fold.nx}×{fold.ny} grid at this posture",
+            f"{run.time_step_s:.4g} s would grow without bound on the {glottis.nx}×{glottis.ny} grid at this posture",
             f"up to {_rounded_down(limit):.3g} s here; null lets Vocalis choose; "
             "a coarser grid in y allows a longer step",
         )

@@ -15,7 +15,7 @@ from vfcore.io.atomic import replacing
 from vfcore.io.hdf5 import Variable, write_variables
 from vfcore.io.result_document import COEFFICIENTS, POSTURE, json_text, result_document
 from vfcore.measures.catalogue import CATALOGUE
-from vfcore.runs.result import ARRAYS, SimulationResult
+from vfcore.runs.result import ARRAYS, SimulationResult, dims_of
 from vfcore.spec.fields import PAPER
 
 
@@ -40,8 +40,8 @@ def request_of(attributes: Any) -> dict[str, Any]:
 def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, str | float]]:
     document = result_document(result)
     variables = {
-        name: Variable(spec.dims, result.arrays[name], {"units": spec.unit, "long_name": spec.label})
-        for name, spec in ARRAYS.items()
+        name: Variable(dims_of(name, array), array, {"units": ARRAYS[name].unit, "long_name": ARRAYS[name].label})
+        for name, array in result.arrays.items()
     }
     for spec in CATALOGUE:
         variables[f"measure_{spec.key}"] = _measure(spec, document["measures"][spec.key], _bar_of(document, spec.key))

@@ -7,6 +7,7 @@ measure's own ``reason``, otherwise ``null_reasons`` by dotted path), so that ev
 import dataclasses
 import json
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,8 +17,8 @@ from vfcore.larynx.posture.solution import PostureSolution
 from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.measures.measure import Measure
 from vfcore.runs.error_estimate import METHOD
-from vfcore.runs.one import FoldSetup
-from vfcore.runs.result import ARRAYS, SimulationResult
+from vfcore.runs.result import ARRAYS, SimulationResult, dims_of
+from vfcore.runs.setup import GlottisSetup
 from vfcore.spec.request import document_of
 
 ARRAY_DTYPE = "float32"  # as bytes in answers; files and Python hold float64
@@ -50,7 +51,7 @@ COEFFICIENTS = {
 _NOT_FINITE = "The computed value is not a finite number."
 
 
-def posture_document(setup: FoldSetup) -> dict[str, Any]:
+def posture_document(setup: GlottisSetup) -> dict[str, Any]:
     """Posture, coefficients and static shape of a request that has not been run."""
     return without_gaps(
         {
@@ -58,6 +59,7 @@ def posture_document(setup: FoldSetup) -> dict[str, Any]:
             "coefficients": _coefficients(setup.fold.coefficients),
             "static_shape": _static_shape(setup.static),
         }
+        | _sides(setup.postures, [wall.coefficients for wall in setup.glottis.walls], setup.statics)
     )
 
 
@@ -76,14 +78,15 @@ def result_document(result: SimulationResult) -> dict[str, Any]:
         "posture": _posture(result.posture),
         "coefficients": _coefficients(result.coefficients),
         "static_shape": _static_shape(result.static),
+        **_sides(result.postures, result.wall_coefficients, result.statics),
         "arrays": {
             name: {
-                "shape": list(result.arrays[name].shape),
+                "shape": list(array.shape),
                 "dtype": ARRAY_DTYPE,
-                "unit": spec.unit,
-                "dims": list(spec.dims),
+                "unit": ARRAYS[name].unit,
+                "dims": list(dims_of(name, array)),
             }
-            for name, spec in ARRAYS.items()
+            for name, array in result.arrays.items()
         },
         "provenance": dataclasses.asdict(result.provenance) | {"request": document_of(result.request)},
     }
@@ -96,6 +99,21 @@ def result_document(result: SimulationResult) -> dict[str, Any]:
 def json_text(document: Any, indent: int | None = None) -> str:
     """Strict JSON text (no NaN, no Infinity); ValueError for a document that is not plain."""
     return json.dumps(document, allow_nan=False, ensure_ascii=False, indent=indent)
+
+
+def _sides(
+    postures: Sequence[PostureSolution], coefficients: Sequence[Coefficients], statics: Sequence[StaticShape]
+) -> dict[str, Any]:
+    """Posture, coefficients and static shape of each side, under ``sides``, where the folds differ."""
+    if len(postures) == 1:
+        return {}
+    each = zip(("left", "right"), postures, coefficients, statics, strict=True)
+    return {
+        "sides": {
+            side: {"posture": _posture(one), "coefficients": _coefficients(c), "static_shape": _static_shape(shape)}
+            for side, one, c, shape in each
+        }
+    }
 
 
 def _posture(posture: PostureSolution) -> dict[str, Any]:

@@ -4,6 +4,7 @@ A zip of numpy arrays (``.npz``), one of which holds the rest as JSON; zip check
 """
 
 import dataclasses
+import itertools
 import json
 import os
 import types
@@ -60,6 +61,8 @@ def _plain(value: Any, path: str, arrays: dict[str, np.ndarray]) -> Any:
         return value.item()
     if isinstance(value, dict):
         return {key: _plain(item, f"{path}/{key}", arrays) for key, item in value.items()}
+    if type(value) is tuple:
+        return [_plain(item, f"{path}/{k}", arrays) for k, item in enumerate(value)]
     if names := _names(type(value)):
         return {name: _plain(getattr(value, name), f"{path}/{name}", arrays) for name in names}
     return value
@@ -79,7 +82,10 @@ def _built(kind: Any, plain: Any, arrays: dict[str, np.ndarray]) -> Any:
         return {key: _built(inner[1], item, arrays) for key, item in plain.items()}
     if origin in (types.UnionType, typing.Union):
         return None if plain is None else _built(next(arg for arg in inner if arg is not type(None)), plain, arrays)
-    return tuple(plain) if origin is tuple else plain
+    if origin is tuple:
+        kinds = itertools.repeat(inner[0]) if inner[-1] is Ellipsis else inner
+        return tuple(_built(one, item, arrays) for one, item in zip(kinds, plain, strict=False))
+    return plain
 
 
 def _names(kind: Any) -> tuple[str, ...]:

@@ -32,7 +32,7 @@ Twin: tests/support/airways_twin.py. Not validated against measured pressures.
 
 import math
 
-from vfcore.kernels.flow import abs_
+from vfcore.kernels.elementary import abs_
 from vfcore.kernels.jit import jit
 from vfcore.kernels.simd import load, maximum, minimum, select, square_root, store
 

@@ -31,7 +31,7 @@ Differs from airways.py by rounding. Twin: advance_airways, one fold at a time.
 """
 
 from vfcore.kernels import airways
-from vfcore.kernels.flow import abs_
+from vfcore.kernels.elementary import abs_
 from vfcore.kernels.jit import inlined, jit
 from vfcore.kernels.simd import load, maximum, multiply_add, square_root, store, width
 

@@ -5,7 +5,7 @@
 - ``fastmath``: the compiler may contract, reassociate, use reciprocals and ignore signed zeros. ``nnan`` and ``ninf``
   are excluded on purpose: with them ``isnan`` may be optimised away, and a diverging run would go unnoticed.
 - Cache: numba's own stamp covers one file only, and is stale when a function called from another file changes. So the
-  cache directory is named by a hash of all kernel sources and of NUMBA_BOUNDSCHECK, which numba's key leaves out: a
+  cache directory is named by a hash of the sources of all rooms with compiled code and of NUMBA_BOUNDSCHECK, which numba's key leaves out: a
   checked run would otherwise load unchecked code.
 """
 
@@ -21,11 +21,17 @@ from numba.extending import overload, register_jitable
 from vfcore.directories import data_directory
 
 
+#: The rooms of vfcore that hold compiled code.
+COMPILED_ROOMS = ("kernels", "fold", "larynx/tissue")
+
+
 def _source_hash() -> str:
     digest = hashlib.sha256(os.environ.get("NUMBA_BOUNDSCHECK", "").encode())
-    for path in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(path.name.encode())
-        digest.update(path.read_bytes())
+    core = Path(__file__).parent.parent
+    for room in COMPILED_ROOMS:
+        for path in sorted((core / room).rglob("*.py")):
+            digest.update(path.relative_to(core).as_posix().encode())
+            digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 
 

@@ -12,18 +12,19 @@ import numpy as np
 from vfcore.airways.coupled import airways_of, tract_of
 from vfcore.airways.sound import measured_sound
 from vfcore.airways.tract import Tract
-from vfcore.errors import Cancelled, DivergenceError, ParameterError, VocalisError
-from vfcore.fold.assemble import Fold
-from vfcore.fold.march import TimeMarch
-from vfcore.fold.march_many import FLOW, MarchInput, MarchResult, march_many
+from vfcore.errors import DivergenceError, ParameterError, VocalisError
+from vfcore.fold.assemble import Glottis
+from vfcore.fold.march_many import MarchInput, MarchResult, march_many
 from vfcore.fold.stability import time_step_s
-from vfcore.fold.statics import static_shape_of
+from vfcore.fold.statics import static_shapes_of
 from vfcore.larynx.posture.equilibrium import solve_each_posture
 from vfcore.larynx.posture.solution import PostureSolution
 from vfcore.measures.catalogue import MeasureReport, known_keys, measure_all
 from vfcore.measures.signals import unused_samples, window_start
 from vfcore.runs.batched_fft import BATCH, BatchedFFT
-from vfcore.runs.one import FoldSetup, Stop, fold_of, posture_of, signals_of, waveforms
+from vfcore.runs.one import Stop, signals_of, waveforms
+from vfcore.runs.setup import GlottisSetup, glottis_of, mean_posture, postures_of
+from vfcore.spec.sides import folds_of
 from vfcore.spec.simulation import Simulation
 
 BLOCK = 64  # requests per block, a multiple of the SIMD width of the step; bounds the memory of a long list
@@ -39,12 +40,12 @@ class Point(NamedTuple):
     report: MeasureReport
 
 
-class _PosturedFold(NamedTuple):
-    """A request with its fold in its posture, before its static shape is known."""
+class _Postured(NamedTuple):
+    """A request with its glottis in its posture, before its static shape is known."""
 
     request: Simulation
-    posture: PostureSolution
-    fold: Fold
+    postures: tuple[PostureSolution, ...]
+    glottis: Glottis
 
 
 Keys = tuple[str, ...] | None
@@ -60,7 +61,7 @@ def run_points(
     """Run the requests and yield, in their order, the Point of each or the error that left it without one.
 
     ``measures``: the keys wanted, None for all of the catalogue. ``precision``: "float64" or "float32" of march and
-    transforms; points with two-way coupling march one by one, in double precision. A point is the same, bit for bit,
+    transforms. A point is the same, bit for bit,
     whatever other points there are. ``stop()`` is called between chunks of voice; Cancelled is raised once it returns
     true. Raises ParameterError for an unknown measure or precision.
     """
@@ -70,14 +71,14 @@ def run_points(
     return _points(requests, stop, keys, precision == "float32")
 
 
-def static_shapes(requests: Sequence[Simulation]) -> Iterator[FoldSetup | VocalisError]:
-    """Posture, fold and static shape of each request, in order, or the error that says why there is none."""
-    for found in _folds(requests):
+def static_shapes(requests: Sequence[Simulation]) -> Iterator[GlottisSetup | VocalisError]:
+    """Posture, glottis and static shape of each request, in order, or the error that says why there is none."""
+    for found in _postured(requests):
         if isinstance(found, VocalisError):
             yield found
             continue
         try:
-            yield FoldSetup(found.posture, found.fold, static_shape_of(found.fold))
+            yield GlottisSetup(found.postures, found.glottis, static_shapes_of(found.glottis))
         except VocalisError as error:
             yield error
 
@@ -85,21 +86,17 @@ def static_shapes(requests: Sequence[Simulation]) -> Iterator[FoldSetup | Vocali
 def _points(
     requests: Sequence[Simulation], stop: Stop | None, keys: Keys, single_precision: bool
 ) -> Iterator[Point | VocalisError]:
-    folds = _folds(requests)
-    while block := list(islice(folds, BLOCK)):
+    postured = _postured(requests)
+    while block := list(islice(postured, BLOCK)):
         done: dict[int, Point | VocalisError] = {}
         inputs: dict[int, MarchInput] = {}
-        marching: dict[int, _PosturedFold] = {}
+        marching: dict[int, _Postured] = {}
         for place, found in enumerate(block):
             try:
                 if isinstance(found, VocalisError):
                     done[place] = found
-                elif found.request.model.coupling == "one_way":
-                    inputs[place], marching[place] = _march_input(found), found
                 else:
-                    done[place] = _reduced(found, _coupled(found, stop), keys)
-            except Cancelled:
-                raise
+                    inputs[place], marching[place] = _march_input(found), found
             except VocalisError as error:
                 done[place] = error
         places, following = list(inputs), 0
@@ -114,29 +111,18 @@ def _points(
             yield done[place]
 
 
-def _march_input(found: _PosturedFold) -> MarchInput:
-    run, fold = found.request.run, found.fold
-    start = static_shape_of(fold) if run.start == "static" else None
-    step_s = time_step_s(run, fold)
-    given = MarchInput(fold, step_s, found.request.subglottal_pressure_pa, run.duration_s, run.pressure_rise_s, start)
+def _march_input(found: _Postured) -> MarchInput:
+    run, glottis = found.request.run, found.glottis
+    start = static_shapes_of(glottis) if run.start == "static" else None
+    step_s = time_step_s(run, glottis)
+    airways = airways_of(found.request, step_s)
+    pressure_pa = found.request.subglottal_pressure_pa
+    given = MarchInput(glottis, step_s, pressure_pa, run.duration_s, run.pressure_rise_s, start, 0, airways)
     return given._replace(flow_only_samples=unused_samples(round(run.duration_s / given.sample_s), given.sample_s))
 
 
-def _coupled(found: _PosturedFold, stop: Stop | None) -> MarchResult:
-    """A fold coupled to its airways marches alone, and in double precision: each has its own tract in the loop.
-
-    Raises DivergenceError and Cancelled.
-    """
-    given = _march_input(found)
-    airways = airways_of(found.request, given.time_step_s)
-    march = TimeMarch(found.fold, given.time_step_s, given.pressure_pa, given.rise_s, airways)
-    march.start_flat() if given.start is None else march.start_static(given.start)
-    record = march.run(round(given.duration_s / given.sample_s), None, stop)
-    return MarchResult(record, record[:, FLOW], given.sample_s)
-
-
-#: Place in the block, the fold, and the result of its march.
-_Marched = tuple[int, _PosturedFold, MarchResult | DivergenceError]
+#: Place in the block, the glottis, and the result of its march.
+_Marched = tuple[int, _Postured, MarchResult | DivergenceError]
 
 
 def _one_by_one(marched: Iterable[_Marched], keys: Keys) -> Iterator[tuple[int, Point | VocalisError]]:
@@ -162,7 +148,7 @@ def _likeness(one: _Marched) -> tuple[Tract, float, int, int] | None:
 
 
 def _reduced(
-    found: _PosturedFold,
+    found: _Postured,
     outcome: MarchResult | DivergenceError,
     keys: Keys,
     shared: tuple[BatchedFFT, int] | None = None,
@@ -178,41 +164,48 @@ def _reduced(
     else:
         radiate, correlate = (lambda: measured_sound(found.request, flow_m3_s, sample_s, left_out)), None
     try:
-        arrays = waveforms(record, sample_s, found.fold.nx)
+        arrays = waveforms(record, sample_s, found.glottis.form())
         measured_from = window_start(len(flow_m3_s)) - left_out
-        signals = signals_of(found.request, found.posture, found.fold, arrays, sample_s, measured_from)
-        return Point(found.posture, measure_all(signals, keys, radiate, correlate))
+        signals = signals_of(found.request, found.postures, found.glottis, arrays, sample_s, measured_from)
+        return Point(mean_posture(found.postures), measure_all(signals, keys, radiate, correlate))
     except VocalisError as error:
         return error
 
 
-def _folds(requests: Sequence[Simulation]) -> Iterator[_PosturedFold | VocalisError]:
-    """The fold of each request in order, or the error that left it without one."""
+def _postured(requests: Sequence[Simulation]) -> Iterator[_Postured | VocalisError]:
+    """The glottis of each request in order, or the error that left it without one."""
     source = iter(requests)
     while block := list(islice(source, BLOCK)):
-        for request, posture in zip(block, _postures(block), strict=True):
-            if isinstance(posture, VocalisError):
-                yield posture
+        folds = [folds_of(request) for request in block]
+        for request, sides, postures in zip(block, folds, _postures(folds), strict=True):
+            if isinstance(postures, VocalisError):
+                yield postures
                 continue
             try:
-                yield _PosturedFold(request, posture, fold_of(request, posture))
+                yield _Postured(request, postures, glottis_of(sides, postures))
             except VocalisError as error:
                 yield error
 
 
-def _postures(block: list[Simulation]) -> list[PostureSolution | VocalisError]:
-    """Those alike in their posturing constants are solved in one call, whose rows do not affect each other."""
-    found: dict[int, PostureSolution | VocalisError] = {}
+def _postures(block: list[tuple[Simulation, ...]]) -> list[tuple[PostureSolution, ...] | VocalisError]:
+    """The postures of each glottis. Single folds that are alike in their posturing constants are solved in one call,
+    whose rows do not affect each other.
+    """
+    found: dict[int, tuple[PostureSolution, ...] | VocalisError] = {}
     alike: dict[tuple, list[int]] = {}
-    for place, request in enumerate(block):
-        if request.posture is None:
-            alike.setdefault((request.posturing, request.constants.L_0_m), []).append(place)
-        else:
-            found[place] = posture_of(request)
+    for place, folds in enumerate(block):
+        if len(folds) == 1 and folds[0].posture is None:
+            alike.setdefault((folds[0].posturing, folds[0].constants.L_0_m), []).append(place)
+            continue
+        try:
+            found[place] = postures_of(folds)
+        except VocalisError as error:
+            found[place] = error
     for (posturing, length), places in alike.items():
         try:
-            solved = solve_each_posture([block[place].activation for place in places], posturing, length)
-            found |= zip(places, solved, strict=True)
+            solved = solve_each_posture([block[place][0].activation for place in places], posturing, length)
+            for place, one in zip(places, solved, strict=True):
+                found[place] = one if isinstance(one, VocalisError) else (one,)
         except VocalisError as error:
             found |= dict.fromkeys(places, error)
     return [found[place] for place in range(len(block))]

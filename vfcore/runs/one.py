@@ -6,25 +6,22 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from functools import cache
 from importlib.metadata import version
-from typing import NamedTuple
 
 import numpy as np
 
 from vfcore.airways.coupled import airways_of
 from vfcore.airways.sound import whole_sound
 from vfcore.errors import DivergenceError
-from vfcore.fold.assemble import Fold, assemble
+from vfcore.fold.assemble import Glottis
+from vfcore.fold.form import StepForm
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import longest_stable_step_s, time_step_s
-from vfcore.fold.statics import StaticShape, static_shape_of
-from vfcore.kernels.layout import RECORD
-from vfcore.larynx.posture.equilibrium import solve_posture
 from vfcore.larynx.posture.solution import PostureSolution
-from vfcore.larynx.tissue.coefficients import Coefficients, coefficients
 from vfcore.measures.catalogue import MeasureReport, measure_all
 from vfcore.measures.signals import Signals
 from vfcore.runs.error_estimate import REFINEMENTS, Level, companion_step_s, companions, richardson, without_bars
 from vfcore.runs.result import Provenance, SimulationResult
+from vfcore.runs.setup import GlottisSetup, mean_posture, prepare
 from vfcore.spec.simulation import Simulation
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
@@ -34,58 +31,11 @@ Progress = Callable[[float], None]
 Stop = Callable[[], bool]
 
 
-class FoldSetup(NamedTuple):
-    """Posture, fold and static shape of a request, before anything moves."""
-
-    posture: PostureSolution
-    fold: Fold
-    static: StaticShape
-
-
-def posture_of(request: Simulation) -> PostureSolution:
-    """The posture of a request: solved from the muscles, or given directly."""
-    L_0 = request.constants.L_0_m
-    given = request.posture
-    if given is None:
-        return solve_posture(request.activation, request.posturing, L_0)
-    half_gap = np.tan(given.glottal_half_angle_rad) * L_0 * (1.0 + given.strain)
-    nan = float("nan")
-    return PostureSolution(
-        given.strain, given.glottal_half_angle_rad, given.glottal_half_angle_rad, L_0 * (1.0 + given.strain),
-        float(half_gap), nan, nan, nan, nan, nan, residual=0.0, converged=True,
-    )  # fmt: skip
-
-
-def prepare(request: Simulation, modify: Callable[[Coefficients], Coefficients] = lambda c: c) -> FoldSetup:
-    """Posture, prestrained coefficients and static shape of a request (milliseconds).
-
-    ``modify`` may change the coefficients before the fold is made of them: for studies of what the paper leaves open.
-    Raises PostureError, ParameterError or StaticShapeError.
-    """
-    posture = posture_of(request)
-    fold = fold_of(request, posture, modify)
-    return FoldSetup(posture, fold, static_shape_of(fold))
-
-
-def fold_of(
-    request: Simulation, posture: PostureSolution, modify: Callable[[Coefficients], Coefficients] = lambda c: c
-) -> Fold:
-    """The prestrained fold of a request in its posture. Raises ParameterError where it has no stiffness left."""
-    rest_angle = request.posture.rest_angle_rad if request.posture else request.constants.rest_angle_rad
-    c = modify(coefficients(posture.strain, request.activation.ta, request.constants))
-    return assemble(request, c, posture.glottal_half_angle_rad, rest_angle)
-
-
-def static_shape(request: Simulation) -> StaticShape:
-    """The fold at zero lung pressure: a direct solve with contact."""
-    return prepare(request).static
-
-
 def simulate(
     request: Simulation,
     progress: Progress | None = None,
     stop: Stop | None = None,
-    prepared_by: Callable[[Simulation], FoldSetup] = prepare,
+    prepared_by: Callable[[Simulation], GlottisSetup] = prepare,
 ) -> SimulationResult:
     """Run a request; with ``run.error_estimate`` also its two finer companions (vfcore.runs.error_estimate).
 
@@ -100,38 +50,45 @@ def simulate(
 
 
 def _run(
-    request: Simulation, progress: Progress | None, stop: Stop | None, setup: FoldSetup, step_s: float | None = None
+    request: Simulation, progress: Progress | None, stop: Stop | None, setup: GlottisSetup, step_s: float | None = None
 ) -> SimulationResult:
     """One run, with the time step ``step_s`` or the request's own."""
-    fold, run = setup.fold, request.run
-    step_s = step_s or time_step_s(run, fold)
+    glottis, run = setup.glottis, request.run
+    step_s = step_s or time_step_s(run, glottis)
     airways = airways_of(request, step_s)
-    march = TimeMarch(fold, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, airways)
-    march.start_static(setup.static) if run.start == "static" else march.start_flat()
+    march = TimeMarch(glottis, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, airways)
+    march.start(0, setup.statics if run.start == "static" else None)
     sample_s = march.time_step_s * march.record_every
     samples = round(run.duration_s / sample_s)
     began = time.perf_counter()
     record = march.run(samples, progress, stop)
     kernel_seconds = time.perf_counter() - began
 
-    arrays = waveforms(record, sample_s, fold.nx)
+    arrays = waveforms(record, sample_s, march.form)
     sound = whole_sound(request, arrays["glottal_flow_m3_s"], sample_s)
     arrays |= {"radiated_pressure_pa": sound.lip_pressure_pa, "far_pressure_pa": sound.far_pressure_pa}
-    report = measure_all(signals_of(request, setup.posture, fold, arrays, sample_s), radiate=lambda: sound)
+    report = measure_all(signals_of(request, setup.postures, glottis, arrays, sample_s), radiate=lambda: sound)
     first, last, complete = _cycle_bounds(report, march, samples, sample_s)
-    arrays |= {
-        "x_m": fold.x_m,
-        "y_m": fold.y_m,
-        "medial_plane_m": fold.medial_plane_m.T,
-        "static_w_m": setup.static.w_m.T,
-        "static_wb_m": setup.static.w_b,
+    walls = glottis.walls
+    shapes = {
+        "x_m": [wall.x_m for wall in walls],
+        "y_m": [wall.y_m for wall in walls],
+        "medial_plane_m": [wall.medial_plane_m.T for wall in walls],
+        "static_w_m": [shape.w_m.T for shape in setup.statics],
+        "static_wb_m": [shape.w_b for shape in setup.statics],
     }
-    arrays |= march.cycle(first, last, PHASES)
+    cycle = march.cycle(first, last, PHASES)
+    shapes |= {name: cycle.pop(name) for name in ("cycle_w_m", "cycle_wb_m")}
+    edges = [
+        (wall.medial_plane_m.T - w).min(axis=-1) for wall, w in zip(walls, shapes["cycle_w_m"], strict=True)
+    ]
+    arrays |= {name: array[0] if len(walls) == 1 else np.array(array) for name, array in shapes.items()}
+    arrays |= cycle | {"cycle_edges_m": np.array([edges[0], -edges[-1]])}
     return SimulationResult(
         request=request,
-        posture=setup.posture,
-        coefficients=fold.coefficients,
-        static=setup.static,
+        postures=setup.postures,
+        wall_coefficients=tuple(wall.coefficients for wall in walls),
+        statics=setup.statics,
         report=report,
         arrays=arrays,
         cycle_is_complete=complete,
@@ -139,20 +96,20 @@ def _run(
     )
 
 
-def steps_of(request: Simulation, folds: Sequence[Fold]) -> list[float]:
-    """Time steps in force, s, of a request and of its companions, if any, on their folds."""
-    own = time_step_s(request.run, folds[0])
-    finer = zip(REFINEMENTS, folds[1:], strict=False)
-    return [own, *(companion_step_s(own, by, longest_stable_step_s(fold)) for by, fold in finer)]
+def steps_of(request: Simulation, glottises: Sequence[Glottis]) -> list[float]:
+    """Time steps in force, s, of a request and of its companions, if any, on their grids."""
+    own = time_step_s(request.run, glottises[0])
+    finer = zip(REFINEMENTS, glottises[1:], strict=False)
+    return [own, *(companion_step_s(own, by, longest_stable_step_s(glottis)) for by, glottis in finer)]
 
 
 def _run_with_companions(
-    request: Simulation, progress: Progress | None, stop: Stop | None, prepared_by: Callable[[Simulation], FoldSetup]
+    request: Simulation, progress: Progress | None, stop: Stop | None, prepared_by: Callable[[Simulation], GlottisSetup]
 ) -> SimulationResult:
     """The run itself and its companions; progress is shared in proportion to their work."""
     requests = (request, *companions(request))
     setups = [prepared_by(one) for one in requests]
-    steps = steps_of(request, [setup.fold for setup in setups])
+    steps = steps_of(request, [setup.glottis for setup in setups])
     work = np.cumsum([0.0] + [one.run.nx * one.run.ny / step for one, step in zip(requests, steps, strict=True)])
     work /= work[-1]
 
@@ -177,15 +134,15 @@ def _level(request: Simulation, step_s: float, result: SimulationResult) -> Leve
     return Level(request.run.nx, request.run.ny, step_s, result.report.state)
 
 
-def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndarray]:
-    """The waveforms by name, (samples,) each, float64, of a record of the first columns of layout.RECORD: all but the
+def waveforms(record: np.ndarray, sample_s: float, form: StepForm) -> dict[str, np.ndarray]:
+    """The waveforms by name, (samples,) each, float64, of a record of the first columns of the form: all but the
     sound. ``contact_location`` is x/L of the largest contact pressure, NaN without contact.
     """
     waves = {"time_s": np.arange(len(record)) * sample_s}
-    for name, column in zip(RECORD, record.T, strict=False):
+    for name, column in zip(form.record, record.T, strict=False):
         wave = np.ascontiguousarray(column, np.float64)
         if name == "contact_column":
-            waves["contact_location"] = wave / (nx - 1)
+            waves["contact_location"] = wave / (form.nx - 1)
         else:
             waves[name] = wave
     return waves
@@ -193,14 +150,18 @@ def waveforms(record: np.ndarray, sample_s: float, nx: int) -> dict[str, np.ndar
 
 def signals_of(
     request: Simulation,
-    posture: PostureSolution,
-    fold: Fold,
+    postures: Sequence[PostureSolution],
+    glottis: Glottis,
     arrays: dict[str, np.ndarray],
     sample_s: float,
     measured_from: int | None = None,
 ) -> Signals:
     """The signals of a run for its measures: its ``waveforms`` and numbers, without the sound."""
-    c = fold.coefficients
+    posture = mean_posture(postures)
+    areas = [wall.coefficients.length_m * wall.coefficients.thickness_m for wall in glottis.walls]
+    lengths = [wall.coefficients.length_m for wall in glottis.walls]
+    angles = [one.glottal_half_angle_rad for one in postures]
+    openings = [length * np.tan(angle) for length, angle in zip(lengths, angles, strict=True)]
     return Signals(
         sample_rate_hz=1.0 / sample_s,
         glottal_area_m2=arrays["glottal_area_m2"],
@@ -209,11 +170,11 @@ def signals_of(
         contact_location=arrays["contact_location"],
         contact_area_m2=arrays["contact_area_m2"],
         subglottal_pressure_pa=request.subglottal_pressure_pa,
-        length_m=c.length_m,
+        length_m=sum(lengths) / len(lengths),
         strain=posture.strain,
         glottal_half_angle_rad=posture.glottal_half_angle_rad,
-        gap_m=2.0 * c.length_m * np.tan(posture.glottal_half_angle_rad),
-        medial_area_m2=c.length_m * c.thickness_m,
+        gap_m=openings[0] + openings[-1],
+        medial_area_m2=sum(areas) / len(areas),
         air_density_kg_m3=request.constants.rho_a_kg_m3,
         sound_speed_m_s=request.constants.c_a_m_s,
         measured_from=measured_from,

@@ -56,9 +56,9 @@ def count_step(nx: int, ny: int) -> dict[str, int]:
 
 def _count(nx: int, ny: int) -> dict[str, int]:
     from vfcore.fold import assemble
-    from vfcore.kernels.fold import step_kernel
-    from vfcore.kernels.layout import RECORD
-    from vfcore.runs.one import prepare
+    from vfcore.fold.step import step_kernel
+    from vfcore.fold.form import RECORD
+    from vfcore.runs.setup import prepare
     from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
 
     fold = prepare(Simulation(run=Run(nx=nx, ny=ny))).fold

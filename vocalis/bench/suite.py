@@ -16,7 +16,8 @@ from vfcore.fold.statics import static_shape_of
 from vfcore.io.netcdf import write_netcdf
 from vfcore.kernels.layout import LANES, Layout
 from vfcore.larynx.posture.equilibrium import solve_posture, solve_posture_batch
-from vfcore.runs.one import prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Simulation
 from vocalis.bench import compare, machine, processes, reference
 from vocalis.bench.answers import POINTS, answers

@@ -24,7 +24,7 @@ from statistics import median
 
 import httpx
 
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.runs.sweep import run_sweep, sweep_from_dict
 from vocalis.bench.interactive import printed_address
 from vocalis.bench.reference import plain_run

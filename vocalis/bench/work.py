@@ -7,7 +7,7 @@ from typing import NamedTuple
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.march_many import MarchInput, march_many
 from vfcore.fold.stability import time_step_s
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import Run, Simulation
 from vocalis.bench.rounds import interleaved
 

@@ -6,7 +6,7 @@ import typer
 from rich.console import Console
 
 from vfcore.io.result_document import json_text, posture_document
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import Simulation
 from vocalis.cli.options import POSTURE_OPTIONS, takes_request
 from vocalis.cli.tables import print_constants, print_posture

@@ -9,7 +9,7 @@ from rich.console import Console
 
 from vfcore.io.atomic import write_bytes
 from vfcore.io.result_document import json_text, posture_document
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import Simulation
 from vocalis.cli.options import SHAPE_OPTIONS, takes_request
 from vocalis.cli.outputs import check_writable, save

@@ -8,7 +8,7 @@ import pytest
 import vfcore
 from tests.support.fold_harness import advance
 from vfcore.fold.march import TimeMarch
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import PAPER_STEP_S, Activation, Run, Simulation
 
 

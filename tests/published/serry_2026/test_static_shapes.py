@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import Activation, Simulation
 
 

@@ -17,7 +17,7 @@ The paper, "Model development", with its symbols. Index muc, lig, ta; subscript 
 from dataclasses import dataclass
 
 from vfcore.errors import ParameterError
-from vfcore.kernels.tissue import prestrained
+from vfcore.larynx.tissue.prestrain import prestrained
 from vfcore.spec.fold_constants import FoldConstants
 
 
@@ -25,7 +25,7 @@ from vfcore.spec.fold_constants import FoldConstants
 class Coefficients:
     """Prestrained geometry and coefficients of one fold (SI units, the paper's symbols).
 
-    In the order of ``vfcore.kernels.tissue.prestrained``, which computes them.
+    In the order of ``vfcore.larynx.tissue.prestrain.prestrained``, which computes them.
     """
 
     stretch_ratio: float  # λ

@@ -10,7 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vfcore.errors import Cancelled
-from vfcore.fold.assemble import Fold
+from vfcore.fold.assemble import Glottis
+from vfcore.fold.form import StepForm
 from vfcore.larynx.posture.solution import PostureSolution
 from vfcore.measures.catalogue import MeasureReport, measure_all
 from vfcore.measures.signals import MIN_SAMPLES, Sound
@@ -18,16 +19,17 @@ from vfcore.runs.gesture.contours import contour, level_db, pitch_hz
 from vfcore.runs.gesture.gesture import Gesture
 from vfcore.runs.gesture.voice import BLOCK_S, Block, Voice
 from vfcore.runs.one import signals_of, waveforms
+from vfcore.runs.setup import mean_posture
 from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
 
 RATE_HZ = 1.0 / DEFAULT_STEP_S
 
 
 class State(NamedTuple):
-    """Posture and fold at the end of a block."""
+    """Postures and glottis at the end of a block."""
 
-    posture: PostureSolution
-    fold: Fold
+    postures: tuple[PostureSolution, ...]
+    glottis: Glottis
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,10 +86,10 @@ def collect(
         if stop is not None and stop():
             raise Cancelled("the run was stopped")
         blocks.append(voice.advance(target))
-        states.append(State(voice.posture, voice.fold))
+        states.append(State(voice.postures, voice.glottis))
         if progress is not None:
             progress(len(blocks) / count)
-    waves = _waves(blocks, voice.fold.nx)
+    waves = _waves(blocks, voice.form)
     return RenderedGesture(
         gesture,
         waves,
@@ -98,8 +100,8 @@ def collect(
     )
 
 
-def _waves(blocks: list[Block], nx: int) -> dict[str, np.ndarray]:
-    return waveforms(np.concatenate([block.record for block in blocks]), DEFAULT_STEP_S, nx) | {
+def _waves(blocks: list[Block], form: StepForm) -> dict[str, np.ndarray]:
+    return waveforms(np.concatenate([block.record for block in blocks]), DEFAULT_STEP_S, form) | {
         "radiated_pressure_pa": np.concatenate([block.lip_pressure_pa for block in blocks]),
         "far_pressure_pa": np.concatenate([block.far_pressure_pa for block in blocks]),
     }
@@ -114,7 +116,7 @@ def _contours(gesture: Gesture, waves: dict[str, np.ndarray], states: list[State
         "spl_30cm_db": contour(level_db, waves["far_pressure_pa"], RATE_HZ, times),
     }
     for name in ("strain", "glottal_half_angle_rad", "length_m"):
-        contours[name] = np.array([getattr(state.posture, name) for state in states])
+        contours[name] = np.array([getattr(mean_posture(state.postures), name) for state in states])
     return contours | {track.path: np.array([track.at(t) for t in times]) for track in gesture.tracks}
 
 
@@ -125,7 +127,7 @@ def _segments(gesture: Gesture, waves: dict[str, np.ndarray], states: list[State
             continue
         state = states[min(len(states), max(1, round(end_s / BLOCK_S))) - 1]
         cut = {name: wave[part] for name, wave in waves.items()}
-        signals = signals_of(gesture.at(end_s), state.posture, state.fold, cut, DEFAULT_STEP_S)
+        signals = signals_of(gesture.at(end_s), state.postures, state.glottis, cut, DEFAULT_STEP_S)
         sound = Sound(cut["radiated_pressure_pa"], cut["far_pressure_pa"])
         yield Segment(start_s, end_s, measure_all(signals, radiate=partial(_known, sound)))
 

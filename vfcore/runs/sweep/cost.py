@@ -7,7 +7,7 @@ from itertools import product
 from typing import Any
 
 from vfcore.errors import ParameterError
-from vfcore.kernels.layout import LANES
+from vfcore.fold.form import LANES
 from vfcore.runs.sweep.plan import Sweep
 from vfcore.spec.paths import DECLARATIONS, NUMBERS, value_at
 

@@ -15,7 +15,8 @@ from vfcore.airways.tract import Tract
 from vfcore.errors import DivergenceError, VocalisError
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import time_step_s
-from vfcore.runs.one import prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import prepare
 from vfcore.runs.result import SimulationResult
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation

@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 from vfcore.errors import VocalisError
 from vfcore.fold.stability import time_step_s
 from vfcore.measures.catalogue import CATALOGUE, MeasureReport
-from vfcore.runs.one import prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import Activation, Simulation
 from vocalis.studies.paper.cases import MODAL
 from vocalis.studies.paper.convergence.shear import shear_rows

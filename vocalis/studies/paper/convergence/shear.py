@@ -18,7 +18,8 @@ import numpy as np
 
 from vfcore.errors import VocalisError
 from vfcore.fold.assemble import Fold
-from vfcore.runs.one import prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import prepare
 from vfcore.runs.result import SimulationResult
 from vfcore.spec.simulation import SHEAR_FORMS, Model, Run, Simulation
 from vocalis.studies.paper.run.document import plain_number

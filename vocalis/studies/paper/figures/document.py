@@ -14,7 +14,8 @@ import numpy as np
 from vfcore.errors import VocalisError
 from vfcore.io.result_document import posture_document, result_document
 from vfcore.measures.catalogue import MeasureReport
-from vfcore.runs.one import prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import prepare
 from vfcore.runs.result import ARRAYS, SimulationResult
 from vfcore.spec.request import document_of
 from vfcore.spec.simulation import Simulation

@@ -16,7 +16,8 @@ from vfcore.errors import VocalisError
 from vfcore.measures.catalogue import CATALOGUE, MeasureReport
 from vfcore.measures.measure import Measure
 from vfcore.runs.many import run_points
-from vfcore.runs.one import FoldSetup, prepare, simulate
+from vfcore.runs.one import simulate
+from vfcore.runs.setup import GlottisSetup, prepare
 from vfcore.spec.simulation import PAPER_STEP_S, Simulation
 from vocalis.studies.paper import evidence
 from vocalis.studies.paper.cases import Case
@@ -27,7 +28,7 @@ LEVEL = "spl_lips_db"
 WARM_UP_S = 0.02
 Progress = Callable[[str, int, int], None]
 #: A function from a request to its fold at rest.
-Prepare = Callable[[Simulation], FoldSetup]
+Prepare = Callable[[Simulation], GlottisSetup]
 
 
 class Failure(NamedTuple):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
-from vfcore.runs.one import prepare
+from vfcore.runs.setup import prepare
 from vfcore.spec.posture_sets import constant_names, posture_set
 from vfcore.spec.request import flat
 from vfcore.spec.simulation import PAPER_STEP_S, Simulation

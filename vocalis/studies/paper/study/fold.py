@@ -3,12 +3,12 @@
 from dataclasses import replace
 
 from vfcore.larynx.tissue.coefficients import Coefficients
-from vfcore.runs.one import FoldSetup, prepare
+from vfcore.runs.setup import GlottisSetup, prepare
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.simulation import Simulation
 
 
-def with_reported_alpha(request: Simulation) -> FoldSetup:
+def with_reported_alpha(request: Simulation) -> GlottisSetup:
     """The fold of a request with the bending stiffness that the authors' program reportedly uses."""
     return prepare(request, lambda c: replace(c, bending_stiffness_n_m2=reported_stiffness(c, request.constants)))
 

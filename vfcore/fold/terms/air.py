@@ -1,8 +1,10 @@
 """Quasi-steady viscous Bernoulli flow through one slice of the glottis (paper, "Aerodynamic pressure").
 
-Per slice of width dx at fixed x, y from 0 (superior, outlet) to b (inferior, inlet):
+Per slice of width dx at fixed x/L, y from 0 (superior, outlet) to b (inferior, inlet), with the half opening h of the
+two walls: G − w for a fold and its mirror image, [(G − w)_left + (G − w)_right]/2 for two different folds, whose slice
+has the mean width and the mean thickness of both:
 
-    d_g   = 2 max(G − w, 0)                                gap                  [eq. LocalGapHeight]
+    d_g   = 2 max(h, 0)                                    gap                  [eq. LocalGapHeight]
     d_min = min_y d_g                                                           [eq. MinimumGap]
     d_sep = min(α_s d_min, d_max)                          gap at separation
     p     = P_s − ½ρ_a (q/d_g)² − 12 μ_a q ∫_y^b dη/d_g³   attached, y ≥ y_sep  [eq. ViscousBernoulliPressure]
@@ -29,7 +31,7 @@ nodes from the inlet down to and including the first contact carry P_s  [eq. Aer
 The pressure at the node of first contact therefore jumps from 0 to P_s when its slice closes, and back to 0 when the
 folds meet nearer to the inlet. A force acts from half a step before its time t_n to half a step after it. If the
 pressure jumps within that interval, only the fraction of the step during which it acts counts. Let g_j be the smallest
-G − w from the inlet down to row j (half a gap; negative in contact) and Δ its change per step. The folds meet somewhere
+h from the inlet down to row j (half a gap; negative in contact) and Δ its change per step. The folds meet somewhere
 between inlet and row j during the fraction s_j of the step:
 
     s_j = ½ − g_j/Δ,  within 0 and 1,    p_j = (s_0 − s_{j+1}) P_s,  at least 0,  if the flow is not attached
@@ -48,12 +50,15 @@ ends on a node, both at separation and at closure; the trapezoid rule itself is 
 own (docs/model/numerics.md). Verified in tests/physics/test_flow_*.py; not validated against measured pressures.
 """
 
+from vfcore.kernels.elementary import abs_
 from vfcore.kernels.jit import jit
 from vfcore.kernels.simd import maximum, minimum, multiply_add, select, square_root
 
 # A reciprocal needs a gap above zero, and its cube must fit in single precision. 10 pm is four orders of magnitude
 # below any gap with noticeable flow.
 SMALLEST_GAP_M = 1e-11
+#: Of the glottis: α_s, ½ρ_a, 12 μ_a.
+NUMBERS = ("alpha_s", "half_rho_a", "twelve_mu_a")
 #: Keeps 1/Δ finite when nothing moves.
 MIN_GAP_CHANGE_M = 1e-12
 #: Keeps the flux finite at zero pressure, Pa·s/m. A pressure of 1 µPa makes a root of the order of 1e-3.
@@ -62,14 +67,14 @@ SMALLEST_ROOT = 1e-12
 
 @jit
 def above_zero(half):
-    """Half the local gap height d_g, m, from G − w; SMALLEST_GAP_M / 2 where the fold meets the medial plane."""
+    """Half the local gap height d_g, m, from the half opening; SMALLEST_GAP_M / 2 where the folds meet."""
     return maximum(half, 0.5 * SMALLEST_GAP_M)
 
 
 @jit
-def gap(G, w):
-    """Local gap height d_g, m; SMALLEST_GAP_M where the fold meets the medial plane."""
-    return 2.0 * above_zero(G - w)
+def gap(half):
+    """Local gap height d_g, m, from half of it; SMALLEST_GAP_M where the folds meet."""
+    return 2.0 * above_zero(half)
 
 
 @jit
@@ -143,12 +148,6 @@ def half_segment(viscous_sum, inv_d2, r):
     ``inv_d2`` and ``r``: 1/d² and 1/d at that node.
     """
     return multiply_add(inv_d2, r, viscous_sum)
-
-
-@jit
-def abs_(x):
-    """|x|."""
-    return maximum(x, 0.0 - x)
 
 
 @jit

@@ -1,0 +1,41 @@
+"""Contact of the folds (paper, eq. ContactModel), written on the opening between two walls.
+
+With h the half opening, [(G − w)_left + (G − w)_right]/2, and s the closing speed, (ẇ_left + ẇ_right)/2,
+
+    p_col = (K_col (−h) + C_col s) H(−h),      H(0) = 0
+
+on both walls alike. For a fold and its mirror image h = G − w and s = ẇ: the paper's law against the medial plane.
+Walls of unlike stiffness are springs in series: K_col is 2 K_l K_r/(K_l + K_r), and C_col likewise.
+
+Node by node: no stencil. Pressures in Pa, h in m, K_col in Pa/m, C_col in Pa·s/m; floats or SIMD vectors. The damper
+may pull (p_col < 0) while the folds separate; the paper keeps that on purpose. First order in the position of the
+contact edge; K_col and C_col enter the stability bound as if engaged everywhere (vfcore/fold/stability.py). Stored
+energy per area of each wall ½ K_col h². Verified in tests/physics/test_contact_law.py; not validated against measured
+contact pressures.
+"""
+
+from vfcore.kernels.jit import formula, jit
+from vfcore.kernels.simd import select
+
+#: Of the glottis.
+NUMBERS = ("K_col", "C_col")
+
+
+@jit
+def touching(depth):
+    """Heaviside of the penetration, ``depth`` = −h."""
+    return depth > 0.0
+
+
+@jit
+def contact_pressure(depth, speed, K_col, C_col):
+    """p_col, Pa, positive against the folds. ``depth``: −h, m; ``speed``: of closing, m/s."""
+    return select(touching(depth), K_col * depth + C_col * speed, 0.0)
+
+
+@formula
+def in_series(one, other):
+    """Stiffness or damper of the contact of two walls; of equal ones that of each."""
+    if one == other:
+        return one
+    return 2.0 * one * other / (one + other) if one + other > 0.0 else 0.0

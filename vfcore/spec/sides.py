@@ -1,0 +1,2 @@
+def folds_of(request):
+    return (request,)
