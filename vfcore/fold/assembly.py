@@ -9,10 +9,13 @@ Sizes and offsets are arguments, so that a new grid compiles nothing. Second ord
 from typing import NamedTuple
 
 from vfcore.fold.material import fill_fields
-from vfcore.fold.terms import shear, tension
+from vfcore.fold.terms import WALL_NUMBERS, shear, tension
 from vfcore.fold.terms.beam import beam_bands, beam_ends
 from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.jit import jit
+
+
+_STRETCH, _BEAM = WALL_NUMBERS.index("stretch_gain"), WALL_NUMBERS.index("beam_gain")
 
 
 class Offsets(NamedTuple):
@@ -39,6 +42,12 @@ class Offsets(NamedTuple):
     width: int
     column: int
     K_coup: int
+    law_gain: int
+    law_A: int
+    law_B: int
+    law_C: int
+    law_z: int
+    law_alpha: int
     beam_inverse: int
     numbers: int
     wall_numbers: int
@@ -80,6 +89,13 @@ def wall_of(
 
 
 @jit
+def _put_law(buffer, o, to, gain, A, B, C, z_0, alpha):
+    """Write the law of one slot."""
+    buffer[o.law_gain + to], buffer[o.law_A + to], buffer[o.law_B + to] = gain, A, B
+    buffer[o.law_C + to], buffer[o.law_z + to], buffer[o.law_alpha + to] = C, z_0, alpha
+
+
+@jit
 def place_wall(fields, bands, numbers, inv_rho_s, dt, o, at, work, buffer):
     """Write a wall as glottis number ``at`` of ``buffer``. ``o``: Offsets of the wall; ``work`` (3, nx−2): scratch."""
     ny, nx = fields.shape[1:]
@@ -102,6 +118,13 @@ def place_wall(fields, bands, numbers, inv_rho_s, dt, o, at, work, buffer):
                 buffer[o.coupling + to] = fields[5, j, i]
                 buffer[o.coupling_damper + to] = fields[6, j, i]
         buffer[o.K_coup + j * P + at] = fields[5, j, 0]
+    if o.law_gain >= 0:
+        m, b = _STRETCH, _BEAM
+        for j in range(ny):
+            _put_law(buffer, o, j * P + at, numbers[m], numbers[m + 1], numbers[m + 2], numbers[m + 3], numbers[m + 4], numbers[m + 5])
+        to = ny * P + at
+        _put_law(buffer, o, to, numbers[b], numbers[b + 1], numbers[b + 2], numbers[b + 3], numbers[b + 4], numbers[b + 5])
+        _put_law(buffer, o, to + P, numbers[b], 0.0, 0.0, numbers[b + 6], numbers[b + 7], numbers[b + 8])
     quarter = 0.25 * dt * dt * inv_rho_l
     D, a, c = work[0], work[1], work[2]
     for i in range(n):

@@ -46,6 +46,8 @@ PATCHED_PAIR = ("contact", "contact_damper")
 LINES = ("beam_load", "inverse_density")
 #: Fixed lines of a wall for several glottises: the factors 1/D, a and c of I − dt²A/4 (kernels/banded.py).
 FACTORS = ("inv_D", "a", "c")
+#: Law of the tension of each slot with finite stretch (terms/tension.py): gain of e, A, B, C, z_0, α.
+LAW = ("law_gain", "law_A", "law_B", "law_C", "law_z", "law_alpha")
 #: Fixed lines of the glottis: width of the slice, index of the column.
 SHARED_LINES = ("width", "column")
 
@@ -81,8 +83,9 @@ class Layout:
         for name in SCRATCH[:-1]:
             place(name, self.block * form.ny * form.lanes)
         place(SCRATCH[-1], 4 * self.block * form.lanes)
-        each(("row_stretch", "row_tension"), self.rows)
-        each(("beam_pull",), form.lanes)
+        if form.finite:
+            each(("slot_sum",), self.slots * form.lanes)
+            each(("slot_stretch", "slot_tension"), self.slots * (form.lanes if form.many else 1))
         object.__setattr__(self, "fixed", at)
         each((MEDIAL, *(PATCHED if form.patched else ())), rows)
         for name in PATCHED_PAIR if form.patched else ():
@@ -91,6 +94,8 @@ class Layout:
         for name in SHARED_LINES:
             place(name, self.stride)
         each(("K_coup",), self.rows)
+        if form.finite:
+            each(LAW, self.slots * form.glottises)
         if not form.many:
             each(("beam_inverse",), (form.nx - 2) * self.worked)
         place("numbers", len(GLOTTIS_NUMBERS) * form.glottises)
@@ -131,6 +136,13 @@ class Layout:
         """Numbers of a column over y, one per row and glottis; of one glottis a whole number of vectors."""
         form = self.form
         return form.ny * form.lanes if form.many else -(-form.ny // form.lanes) * form.lanes
+
+    @property
+    def slots(self) -> int:
+        """Layers whose tension follows their stretch: the rows of the membrane, ligament and TA; of one glottis filled
+        up to whole vectors."""
+        form = self.form
+        return form.ny + 2 if form.many else -(-(form.ny + 2) // form.lanes) * form.lanes
 
     @property
     def block(self) -> int:

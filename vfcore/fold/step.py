@@ -41,7 +41,7 @@ from functools import lru_cache
 
 from vfcore.fold.displacement import displaced
 from vfcore.fold.form import RECORD, StepForm
-from vfcore.fold.layout import layout_of
+from vfcore.fold.layout import LAW, layout_of
 from vfcore.fold.terms import air, contact, coupling, shear, tension
 from vfcore.kernels import airways, airways_many
 from vfcore.kernels.elementary import abs_
@@ -67,7 +67,7 @@ square, half_segment = air.square, air.half_segment
 separation_gap, attached = air.separation_gap, air.attached
 viscous_drop, flux_root, slice_flux, pressure = air.viscous_drop, air.flux_root, air.slice_flux, air.pressure
 along_fold, along_varying = tension.tension, tension.varying_tension
-stretched, axial = tension.stretched, tension.axial
+stretched, active_tension, sums_of_eight = tension.stretched, tension.active_tension, tension.sums_of_eight
 traction_of, kelvin_voigt = coupling.coupling, shear.kelvin_voigt
 advance_airways, viscous_share = airways.advance_airways, airways.viscous_share
 advance_airways_many = airways_many.advance_airways_many
@@ -106,7 +106,7 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
     WM, NEXT, V, VS = L.at("w"), L.at("w_next"), L.at("v"), L.at("v_star")
     # From one wall to the other:
     FIELD, LINE, KROWS, WALL_PARAMS = L.wall("w"), L.wall("w_b"), L.wall("K_coup"), L.wall("wall_numbers") // P
-    PULL_WALL, BI_WALL = L.wall("beam_pull"), 0 if many else L.wall("beam_inverse")
+    BI_WALL = 0 if many else L.wall("beam_inverse")
     PH, VPH, VPHS = (L.at(name) for name in ("phi", "vphi", "vphi_star")) if rotation else (0, 0, 0)
     G, K = L.at("G"), L.at("K_coup") // P
     R, M, I, PRESSED = L.at("square"), L.at("running_min"), L.at("viscous"), L.at("pressure")
@@ -116,13 +116,16 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
     WORKED, BEYOND, HALF_MIN = L.worked, L.at("beyond"), L.at("half_min")
     BI = 0 if many else L.at("beam_inverse")
     INV_D, A_1, A_2 = (L.at(name) for name in ("inv_D", "a", "c")) if many else (0, 0, 0)
-    SUMS, TENSION, PULL = L.at("row_stretch"), L.at("row_tension"), L.at("beam_pull")
+    SUMS, TENSION, STRETCH = (
+        (L.at(name) for name in ("slot_sum", "slot_tension", "slot_stretch")) if finite else (0, 0, 0)
+    )
+    SLOTS, SUMS_WALL = L.slots * (W if many else 1), L.wall("slot_sum") if finite else 0
+    LAW_GAIN, LAW_A, LAW_B, LAW_C, LAW_Z, LAW_ALPHA = (L.at(name) for name in LAW) if finite else (0,) * 6
     IM, TS, GH, EH, KC, CC = (
         (L.at(name) for name in ("inverse_mass", "tension_share", "shear", "shear_viscosity", "coupling",
                                  "coupling_damper")) if patched else (0,) * 6
     )  # fmt: skip
     KN, CN = (L.at("contact"), L.at("contact_damper")) if patched else (0, 0)
-    ALL_ROWS = L.rows
     HELD = END - W if many else END  # with many folds the posterior end, which does not move, is a vector of its own
     ALWAYS_CONTACT = form.precision == "float32"  # with 16 folds some slice is almost always closed: do not test
     SWEEPS = 2 if coupled else 1
@@ -137,8 +140,7 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                      "inv_rotation_inertia", "G_rotation", "eta_rotation", "rotation_share", "C_coup", "K_foun",
                      "C_foun")
     )  # fmt: skip
-    W_GAIN = L.wall_number("stretch_gain")  # followed by the law of the membrane, terms/tension.py
-    W_BEAM = L.wall_number("beam_gain")  # followed by that of the beam
+    W_ACTIVE = L.wall_number("N_active")  # followed by the other numbers of the active stress
 
     # The closure may hold only plain constants: numba's cache key includes the closure cells, and a function in one of
     # them has another key in every process, so no process would find the code that another has compiled.
@@ -179,7 +181,7 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                 # tension of each row, and what it adds to that of the beam, at the present stretch
                 if finite:
                     for s in range(WALLS):
-                        gain, law = load_param(buf, W_GAIN + s * WALL_PARAMS, P, W), W_GAIN + s * WALL_PARAMS + 1
+                        sums, tensions, stretches = SUMS + s * SUMS_WALL, TENSION + s * SLOTS, STRETCH + s * SLOTS
                         for j in range(ny):
                             o, total = now + s * FIELD + j * S, zero
                             for i in range(C1, END, W):
@@ -189,44 +191,30 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                                     total = total + share * differ * differ
                                 else:
                                     total = total + differ * differ
-                            if many:
-                                store(buf, SUMS + s * KROWS + j * W, total)
-                            else:
-                                buf[SUMS + s * KROWS + j] = hsum(total)
-                        for row in range(0, ALL_ROWS, W):
-                            e = gain * load(buf, SUMS + s * KROWS + row, W)
-                            T_row = stretched(
-                                e,
-                                load_param(buf, law, P, W),
-                                load_param(buf, law + 1, P, W),
-                                load_param(buf, law + 2, P, W),
-                                load_param(buf, law + 3, P, W),
-                                load_param(buf, law + 4, P, W),
-                            )
-                            store(buf, TENSION + s * KROWS + row, T_row)
+                            store(buf, sums + j * W, total)
                         total = zero
                         for i in range(C1, END, W):
                             differ = load(buf, WB + s * LINE + i, W) - load(buf, WB + s * LINE + i - P, W)
                             total = total + differ * differ
-                        if not many:
-                            buf[PULL + s * PULL_WALL] = hsum(total)
-                            total = load(buf, PULL + s * PULL_WALL, W)
-                        law = W_BEAM + s * WALL_PARAMS
-                        pull = axial(
-                            load_param(buf, law, P, W) * total,
-                            load_param(buf, law + 1, P, W),
-                            load_param(buf, law + 2, P, W),
-                            load_param(buf, law + 3, P, W),
-                            load_param(buf, law + 4, P, W),
-                            load_param(buf, law + 5, P, W),
-                            load_param(buf, law + 6, P, W),
-                            load_param(buf, law + 7, P, W),
-                            load_param(buf, law + 8, P, W),
-                            load_param(buf, law + 9, P, W),
-                            load_param(buf, law + 10, P, W),
-                            load_param(buf, law + 11, P, W),
-                        )
-                        store(buf, PULL + s * PULL_WALL, pull)
+                        store(buf, sums + ny * W, total)
+                        store(buf, sums + ny * W + W, total)
+                        for slot in range(0, SLOTS, W):
+                            if many:
+                                total = load(buf, sums + slot, W)
+                            else:
+                                total = sums_of_eight(buf, sums + slot * W)
+                            law = s * SLOTS + slot
+                            e = load(buf, LAW_GAIN + law, W) * total
+                            T_slot = stretched(
+                                e,
+                                load(buf, LAW_A + law, W),
+                                load(buf, LAW_B + law, W),
+                                load(buf, LAW_C + law, W),
+                                load(buf, LAW_Z + law, W),
+                                load(buf, LAW_ALPHA + law, W),
+                            )
+                            store(buf, stretches + slot, e)
+                            store(buf, tensions + slot, T_slot)
 
                 y_1, y_2, y_1_right, y_2_right = zero, zero, zero, zero
                 for first in range(C1, END, BLOCK * W):
@@ -434,7 +422,7 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                                 if j == 0:
                                     flux = 0.0 - flux_below
                                 if finite:
-                                    T = load_param(buf, (TENSION + s * KROWS) // P + j, P, W)
+                                    T = load_param(buf, (TENSION + s * SLOTS) // P + j, P, W)
                                 before, after = load(buf, now + o - P, W), load(buf, now + o + P, W)
                                 if patched:
                                     share_before, share_after = load(buf, TS + o - P, W), load(buf, TS + o, W)
@@ -451,7 +439,16 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                             # beam: right side of the implicit system
                             beam = to_beam * dy_w - K_foun * w_b - C_foun * v_b
                             if finite:
-                                pull = load_param(buf, (PULL + s * PULL_WALL) // P, P, W)
+                                slot = (s * SLOTS + ny * P) // P
+                                ligament = load_param(buf, TENSION // P + slot, P, W)
+                                muscle = load_param(buf, TENSION // P + slot + 1, P, W)
+                                law = W_ACTIVE + s * WALL_PARAMS
+                                pull = ligament + muscle + active_tension(
+                                    load_param(buf, STRETCH // P + slot, P, W),
+                                    load_param(buf, law, P, W),
+                                    load_param(buf, law + 1, P, W),
+                                    load_param(buf, law + 2, P, W),
+                                )
                                 beam = beam + along_fold(
                                     load(buf, WB + at_x - P, W), w_b, load(buf, WB + at_x + P, W), pull
                                 )

@@ -186,6 +186,15 @@ def aligned_zeros(size, dtype):
     return raw[start : start + count].view(dtype)
 
 
+def paired(a, b, k):
+    """Sums of neighbours that are ``k`` apart, of ``a`` and then of ``b``; ``k`` is a constant, 1, 2, 4, …
+
+    Vectors count in groups of 2k: element i of the result is the sum of elements i and i + k of a group. With k = 4,
+    2 and 1 in turn, eight vectors of eight become one, of their sums.
+    """
+    return np.concatenate([vec.reshape(-1, 2, k).sum(axis=1).reshape(-1) for vec in (a, b)])
+
+
 def load(array, at, count):
     """``array[at : at + count]`` of a flat array; ``count`` is a constant."""
     return array[at : at + count].copy()
@@ -294,6 +303,27 @@ def _hsum(context, builder, sig, args):
         )
         value = builder.fadd(builder.shuffle_vector(value, value, low), builder.shuffle_vector(value, value, high))
     return builder.extract_element(value, INDEX(0))
+
+
+@infer_global(paired)
+class _PairedTypes(AbstractTemplate):
+    prefer_literal = True
+
+    def generic(self, args, kws):
+        a, b, k = args
+        if isinstance(a, Vec) and a == b and isinstance(k, types.IntegerLiteral):
+            return signature(a, a, b, k)
+
+
+@lower_builtin(paired, Vec, Vec, types.IntegerLiteral)
+def _paired(context, builder, sig, args):
+    count, k = sig.return_type.count, sig.args[2].literal_value
+    starts = [group + i for group in range(0, 2 * count, 2 * k) for i in range(k)]
+    mask = ir.VectorType(INDEX, count)
+    low, high = (
+        builder.shuffle_vector(args[0], args[1], ir.Constant(mask, [at + shift for at in starts])) for shift in (0, k)
+    )
+    return builder.fadd(low, high, flags=("contract",))
 
 
 @infer_global(all_of)
