@@ -219,7 +219,11 @@ def _solved_sides(
     packed, alike = _packed_sides_last(left, right)
     n = len(pairs)
     rows = np.array([_levels(one) + _levels(other) for one, other in pairs], np.float64).reshape(n, 10)
-    rows[:, _IA] = rows[:, 5 + _IA] = (rows[:, _IA] + rows[:, 5 + _IA]) / 2
+    shared = [_IA]
+    if alike and left.ct.alpha == left.ct.beta == 0:  # both CT pull only at the joint, where their mean counts
+        shared.append(_CT)
+    for muscle in shared:
+        rows[:, muscle] = rows[:, 5 + muscle] = (rows[:, muscle] + rows[:, 5 + muscle]) / 2
     equal = (rows[:, :5] == rows[:, 5:]).all(axis=1) if alike else np.zeros(n, dtype=bool)
     if not equal.any():
         return _solved_different(rows, packed)
@@ -243,7 +247,7 @@ def _solved_different(rows: np.ndarray, packed: _Packed) -> tuple[np.ndarray, np
     return roots, outcomes, planes, status
 
 
-_IA = MUSCLE_ORDER.index("ia")
+_CT, _IA = MUSCLE_ORDER.index("ct"), MUSCLE_ORDER.index("ia")
 #: Constants of the cricothyroid joint, and those of the equations themselves: one larynx has one value of each.
 COMMON_CONSTANTS = (
     "L_0_posture_m",
