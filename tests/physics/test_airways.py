@@ -1,21 +1,31 @@
 """Two-way coupling: the flow between two airways against its twin, in its limits, and its energy."""
 
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.airways_march import alone, together
 from tests.support.airways_twin import AirwaysTwin, law_of
-from vfcore.airways.coupled import LUNG_RESISTANCE_PA_S_M3, STEADY_BELOW_HZ, airways
+from vfcore.airways.coupled import LUNG_RESISTANCE_PA_S_M3, STEADY_BELOW_HZ, Airways, airways
 from vfcore.airways.resonances import closed_glottis_formants, input_impedance
 from vfcore.airways.subglottal import subglottal_tract
+from vfcore.airways.tract import Tract
 from vfcore.errors import ParameterError
 from vfcore.kernels import airways as kernel
+from vfcore.kernels.layout import LANES
 from vfcore.spec.simulation import DEFAULT_STEP_S, SECTION_TRAVEL_S, VOWELS
 
 RHO, C = 1.14, 350.0
 MALE = airways("a", RHO, C, DEFAULT_STEP_S)
 ONE = airways("a", RHO, C, SECTION_TRAVEL_S)
+UNCOMPILED = os.environ.get("NUMBA_DISABLE_JIT") == "1"  # the same tests in plain Python, on fewer steps
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def law(A, B, width, drop):
@@ -153,3 +163,84 @@ def test_a_smaller_larynx_has_smaller_airways():
     small = airways("a", RHO, C, DEFAULT_STEP_S, 0.8)
     assert small.supraglottal.areas_m2[0] == pytest.approx(0.64 * MALE.supraglottal.areas_m2[0], rel=0.02)
     assert len(small.supraglottal.areas_m2) == pytest.approx(0.8 * len(MALE.supraglottal.areas_m2), abs=1)
+
+
+def of_one_shape(substeps):
+    """Airways of several vowels and scales, whose areas differ but not their numbers of sections."""
+    some = [("i", 0.764), ("e", 0.760), ("E", 0.754), ("V", 0.764), ("a", 0.756), ("O", 0.754)]
+    return [airways(vowel, RHO, C, substeps * SECTION_TRAVEL_S, scale) for vowel, scale in some]
+
+
+def random_tract(rng, sections, radiation):
+    """Areas between 0.3 and 6 cm², each section another one."""
+    return Tract(tuple(rng.uniform(3e-5, 6e-4, sections)), radiation=radiation)
+
+
+def batch(ways, precision, seed=3):
+    """One of ``ways`` for each fold, and lung pressure, conductance and viscous share at each step, (steps, folds)."""
+    folds, steps = LANES[precision], 40 if UNCOMPILED else 2000
+    rng = np.random.default_rng(seed)
+    P_s = np.tile(rng.uniform(200, 2000, folds), (steps, 1))
+    phase = rng.uniform(0.01, 0.06, folds) * np.arange(steps)[:, None]
+    conductance = 2e-5 * np.maximum(np.sin(2 * np.pi * phase) + rng.uniform(-0.3, 0.3, (steps, folds)), 0)
+    viscous = np.where(conductance > 0, rng.uniform(0, 1, (steps, folds)), 1.0)
+    # alone and together start from the same numbers
+    inputs = [one.astype(precision).astype(float) for one in (P_s, conductance, viscous)]
+    return [ways[k % len(ways)] for k in range(folds)], inputs
+
+
+def largest_difference(ways, inputs, precision):
+    """Between airways together and alone, over the largest value: of flow, inlet, outlet and drop, over all folds."""
+    found = together(ways, *inputs, precision)
+    expected = np.stack([alone(one, *(x[:, k] for x in inputs)) for k, one in enumerate(ways)], axis=-1)
+    assert (expected[:, 0].max(axis=0) > 2e-5).all()  # every glottis has opened
+    return (np.abs(found - expected).max(axis=0) / np.abs(expected).max(axis=0)).max()
+
+
+@pytest.mark.kernel
+@pytest.mark.parametrize("precision, allowed", [("float64", 1e-12), ("float32", 1e-5)])
+@pytest.mark.parametrize("substeps", [1, 5, 12])
+def test_airways_side_by_side_equal_each_alone(precision, allowed, substeps):
+    """Several vowels and scales in one batch, with all steps one by one, all together, and both."""
+    assert largest_difference(*batch(of_one_shape(substeps), precision), precision) < allowed
+
+
+@pytest.mark.kernel
+@pytest.mark.parametrize("below, above", [(4, 4), (9, 5), (5, 17)])
+def test_airways_of_any_shape_equal_each_alone(below, above):
+    """Also with fewer sections than go together, and with a reflection at every junction below the glottis."""
+    rng = np.random.default_rng(below)
+    ways = [Airways(random_tract(rng, below, "lungs"), random_tract(rng, above, "piston"), 7) for _ in range(8)]
+    assert largest_difference(*batch(ways, "float64"), "float64") < 1e-12
+
+
+@pytest.mark.kernel
+def test_the_airways_of_a_fold_do_not_depend_on_its_neighbours():
+    ways, inputs = batch(of_one_shape(5), "float64")
+    both = together(ways, *inputs)
+    without = together([ways[-1]] * len(ways), *(np.repeat(x[:, -1:], len(ways), axis=1) for x in inputs))
+    assert np.array_equal(both[..., -1], without[..., 0])
+
+
+def test_airways_of_different_shapes_do_not_fit_one_batch():
+    with pytest.raises(ParameterError, match=r"\(5, 78, 68\) and \(5, 78, 78\)"):
+        Airways.new_buffers([(MALE, 800.0), (airways("u", RHO, C, DEFAULT_STEP_S), 800.0)])
+
+
+MISSES = """
+from tests.support.airways_march import march_kernel
+from tests.physics.test_airways import batch, of_one_shape, together
+for precision in ("float64", "float32"):
+    ways, inputs = batch(of_one_shape(5), precision)
+    together(ways, *inputs, precision)
+    print(sum(march_kernel(precision).stats.cache_misses.values()))
+"""
+
+
+@pytest.mark.skipif(UNCOMPILED, reason="nothing is compiled")
+def test_a_kernel_that_calls_the_airways_is_found_in_the_cache_by_a_second_process():
+    for _ in range(2):
+        done = subprocess.run(
+            [sys.executable, "-c", MISSES], capture_output=True, text=True, check=True, timeout=300, cwd=ROOT
+        )
+    assert done.stdout.split() == ["0", "0"]
