@@ -69,15 +69,14 @@ class AirTwin:
         along_x[[0, -1]] /= 2
         return Flow(p_aero, gap, flow_per_width, d_min, j_sep, along_x @ d_min, along_x @ flow_per_width)
 
-    def mean_pressure(self, half, P_s: float, narrowest_before, pushed: float):
+    def mean_pressure(self, half, air: Flow, P_s: float, narrowest_before, pushed: float):
         """p_aero (nx, ny), Pa, averaged from half a step before to half a step after, as slices close and open.
 
-        ``narrowest_before`` (nx,): smallest half gap of each slice one step before, m. ``pushed``: how far the lung
-        pressure moves the half gap in one step, m. The whole slice is assumed to move at the speed of that minimum. A
-        node downstream of the separation has P_s while the slice is closed at it or further downstream, and not in a
-        row nearer to the inlet.
+        ``air``: the flow through ``half``. ``narrowest_before`` (nx,): smallest half gap of each slice one step before,
+        m. ``pushed``: how far the lung pressure moves the half gap in one step, m. The whole slice is assumed to move
+        at the speed of that minimum. A node downstream of the separation has P_s while the slice is closed at it or
+        further downstream, and not in a row nearer to the inlet.
         """
-        air = self.flow(half, P_s)
         to_here = np.minimum.accumulate(half[:, ::-1], axis=1)[:, ::-1]  # running minimum from the inlet
         change = np.abs(half.min(axis=1) - narrowest_before) + pushed + MIN_GAP_CHANGE_M
         closed = np.clip(0.5 - to_here / change[:, None], 0.0, 1.0)

@@ -80,40 +80,23 @@ class GlottisTwin:
 
     def contact_pressure(self, states: Sequence[State]):
         """p_col, Pa, (nx, ny)."""
-        h = self.half_gap(states)
+        return self._contact_pressure(self.half_gap(states), states)
+
+    def _contact_pressure(self, h, states: Sequence[State]):
         v = self._mean(wall.whole(s.v_m) for wall, s in zip(self.walls, states, strict=True))
         return np.where(h < 0, self.contact_stiffness * -h + self.contact_damper * v, 0.0)
-
-    def contact_peak(self, states: Sequence[State]):
-        """Largest contact pressure (Pa) among touching nodes and its grid node (i, j); 0, (-1, -1) if none touch."""
-        touching = self.half_gap(states) < 0
-        if not touching.any():
-            return 0.0, (-1, -1)
-        pressure = np.where(touching, self.contact_pressure(states), -np.inf)
-        node = np.unravel_index(np.argmax(pressure), pressure.shape)
-        return pressure[node], node
 
     def flow(self, states: Sequence[State], P_s: float) -> Flow:
         return self.air.flow(self.half_gap(states), P_s)
 
-    def mean_pressure(self, states: Sequence[State], P_s: float, narrowest_before, dt: float):
-        """p_aero averaged over the step (AirTwin.mean_pressure), Pa, (nx, ny).
+    def acceleration(self, states: Sequence[State], P_s: float, contact: bool = True):
+        """Accelerations (a_m, a_b, a_phi) of each wall, m/s² and rad/s², at the instantaneous air pressure."""
+        pressure = self.flow(states, P_s).p_aero
+        if contact:
+            pressure = pressure + self.contact_pressure(states)
+        return self._accelerations(states, pressure)
 
-        The lung pressure moves each wall by P_s dt²/ρ_s in one step; ρ_s is that of the fold without patches.
-        """
-        pushed = self._mean(P_s * dt**2 / wall.k.rho_s for wall in self.walls)
-        return self.air.mean_pressure(self.half_gap(states), P_s, narrowest_before, pushed)
-
-    def acceleration(self, states: Sequence[State], P_s: float, contact=True, narrowest_before=None, dt: float = 0.0):
-        """Accelerations (a_m, a_b, a_phi) of each wall, m/s² and rad/s².
-
-        ``narrowest_before`` (nx,): with it the air pressure is ``mean_pressure`` over ``dt``, s.
-        """
-        pressure = self.contact_pressure(states) if contact else 0.0
-        if narrowest_before is None:
-            pressure = pressure + self.flow(states, P_s).p_aero
-        else:
-            pressure = pressure + self.mean_pressure(states, P_s, narrowest_before, dt)
+    def _accelerations(self, states: Sequence[State], pressure):
         return [wall.acceleration_under(s, pressure) for wall, s in zip(self.walls, states, strict=True)]
 
     def initial_states(self) -> States:
@@ -154,14 +137,17 @@ class GlottisTwin:
             if keep_every and step % keep_every == 0:
                 kept.append(states)
             now = tuple(map(extrapolated, states, before)) if leapfrog else states
-            P_now = pressure(step * dt)
-            averaged = {"narrowest_before": narrowest, "dt": dt} if leapfrog else {}
-            accelerations = self.acceleration(now, P_now, **averaged)
-            narrowest = self.half_gap(now).min(axis=1)
-
-            air = self.flow(now, P_now)
+            P_now, h = pressure(step * dt), self.half_gap(now)
+            air, p_col = self.air.flow(h, P_now), self._contact_pressure(h, now)
             area[step], flow[step] = air.A_g_min, air.Q_g
-            peak[step], peak_at[step] = self.contact_peak(now)
+            peak[step], peak_at[step] = largest(p_col, h < 0)
+            p_aero = air.p_aero
+            if leapfrog:
+                # The lung pressure moves each wall by P_s dt²/ρ_s in one step; ρ_s is that of the fold without patches.
+                pushed = self._mean(P_now * dt**2 / wall.k.rho_s for wall in self.walls)
+                p_aero = self.air.mean_pressure(h, air, P_now, narrowest, pushed)
+            accelerations = self._accelerations(now, p_aero + p_col)
+            narrowest = h.min(axis=1)
             mean_w[step] = [(cells * s.w_m).sum() for cells, s in zip(surface, now, strict=True)]
 
             after = []
@@ -219,6 +205,14 @@ class GlottisTwin:
         if not solution.success:
             raise RuntimeError(solution.message)
         return [unpacked(column) for column in solution.y.T]
+
+
+def largest(pressure, touching):
+    """Largest contact pressure (Pa) among touching nodes and its grid node (i, j); 0, (-1, -1) if none touch."""
+    if not touching.any():
+        return 0.0, (-1, -1)
+    node = np.unravel_index(np.argmax(np.where(touching, pressure, -np.inf)), pressure.shape)
+    return pressure[node], node
 
 
 def extrapolated(state: State, before: State) -> State:

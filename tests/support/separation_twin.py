@@ -41,9 +41,9 @@ class ClosedAir(AirTwin):
         p_aero[closed, j + 1] = P_s * (width[j + 1] - middle + np.minimum(pushed, middle)) / width[j + 1]
         return on_nodes._replace(p_aero=p_aero)
 
-    def mean_pressure(self, half, P_s: float, narrowest_before, pushed: float):
+    def mean_pressure(self, half, air: Flow, P_s: float, narrowest_before, pushed: float):
         """The instantaneous pressure: a load that ends between nodes does not jump from node to node."""
-        return self.flow(half, P_s).p_aero
+        return air.p_aero
 
 
 class InterpolatedAir(AirTwin):
