@@ -62,9 +62,9 @@ def test_a_half_wave_of_3_mm_stretches_the_modal_fold_to_a_strain_of_0_150():
     assert tension[0] == pytest.approx(13.97, abs=0.01)
     assert tension[1:] == pytest.approx(wall.k.T_m_tilde, rel=1e-12)
     # σ_lig = 1000 · 0.6504 + 1000 (e^{7 · 0.4504} − 1 − 7 · 0.4504) = 19.90 kPa; σ_ta = 4000 · 0.6504
-    # + 1000 (e^{9 · 0.2004} − 1 − 9 · 0.2004) + 40,000 (1 − 0.1496²) = 45.04 kPa;
-    # Ñ_b = λ^{3/2} (6.1 · 19.90 + 40.9 · 45.04) mN
-    assert wall.beam_tension(w[:, 0]) == pytest.approx(2.134, abs=0.002)
+    # + 1000 (e^{9 · 0.2004} − 1 − 9 · 0.2004) + 40,000 (1 − 0.1496²) = 44.97 kPa;
+    # Ñ_b = λ^{3/2} (6.1 · 19.90 + 40.9 · 44.97) mN
+    assert wall.beam_tension(w[:, 0]) == pytest.approx(2.131, abs=0.001)
 
 
 def test_a_stiffer_patch_counts_more_in_the_stretch_of_its_row():
@@ -85,10 +85,10 @@ def test_a_stiffer_patch_counts_more_in_the_stretch_of_its_row():
 
 
 def free_swing(wall):
-    """Start states of a free swing of 2 mm with some beam motion, without air."""
+    """Start states of a free swing of 1.6 mm with some beam motion, without air."""
     bow = np.sin(np.pi * wall.x[1:-1] / wall.k.L)
     rows = 1 + 0.2 * np.cos(np.pi * wall.y / wall.k.b)
-    return (wall.zero_state()._replace(w_m=-2e-3 * np.outer(bow, rows), v_b=0.2 * bow),)
+    return (wall.zero_state()._replace(w_m=-1.6e-3 * np.outer(bow, rows), v_b=0.2 * bow),)
 
 
 @pytest.mark.parametrize("shear", ["kelvin_voigt", "rotation"])
@@ -109,7 +109,7 @@ def test_the_step_is_of_second_order_under_finite_stretch(shear, patch):
     assert errors[-1] < 1e-3
 
 
-@pytest.mark.parametrize(("along", "grids"), [("x", ((9, 6), (17, 6), (33, 6))), ("y", ((9, 5), (9, 9), (9, 17)))])
+@pytest.mark.parametrize(("along", "grids"), [("x", ((9, 6), (17, 6), (33, 6))), ("y", ((9, 9), (9, 17), (9, 33)))])
 def test_the_grid_is_of_second_order_under_finite_stretch(along, grids):
     """Differences between successive halvings of the spacing at common nodes, after 2 ms of a free swing."""
     shapes = []
@@ -117,7 +117,7 @@ def test_the_grid_is_of_second_order_under_finite_stretch(along, grids):
         wall = WallTwin(0.057, 0.4, 0.5, theta_conv=0.3, nx=nx, ny=ny, stretch="finite")
         [[state]] = GlottisTwin((wall,)).reference(free_swing(wall), [2e-3], tolerance=1e-8)
         whole = wall.whole(state.w_m)
-        shapes.append(whole[:: (nx - 1) // 8] if along == "x" else whole[:, :: (ny - 1) // 4])
+        shapes.append(whole[:: (nx - 1) // 8] if along == "x" else whole[:, :: (ny - 1) // 8])
     differences = [np.abs(fine - coarse).max() for coarse, fine in zip(shapes[:-1], shapes[1:], strict=True)]
     assert np.log2(differences[0] / differences[1]) == pytest.approx(2, abs=0.3)
     assert differences[1] < 0.02 * np.abs(shapes[-1]).max()
