@@ -1,0 +1,16 @@
+"""Solvers that a test of the physics can run: each turns start states into the motion of one or two walls."""
+
+from collections.abc import Callable
+
+from tests.support.glottis_twin import GlottisTwin, States
+
+#: (glottis, start with velocities at −dt/2, P_s in Pa, dt in s, steps) → the states at 0, dt, …, steps · dt.
+March = Callable[[GlottisTwin, States, float, float, int], list[States]]
+
+
+def march_of_the_twin(glottis: GlottisTwin, start: States, pressure_pa: float, dt: float, steps: int) -> list[States]:
+    record = glottis.march(start, pressure_pa, dt, steps, keep_every=1)
+    return [*record.states, record.final]
+
+
+MARCHES: dict[str, March] = {"twin": march_of_the_twin}
