@@ -1,2 +1,0 @@
-def folds_of(request):
-    return (request,)
