@@ -16,7 +16,7 @@ from vfcore.spec.larynx import CONSTANTS
 from vfcore.spec.paths import DECLARATIONS, NUMBERS, value_at
 from vfcore.spec.posture_sets import POSTURE_SETS
 from vfcore.spec.request import document_of, flat, merged, nested, patch_of, patched, resolve, values_of
-from vfcore.spec.simulation import COUPLING_GRADIENTS, COUPLINGS, SHEAR_FORMS, VARIANTS, Simulation
+from vfcore.spec.simulation import COUPLING_GRADIENTS, COUPLINGS, SHEAR_FORMS, STRETCHES, VARIANTS, Simulation
 from vocalis.cli.requests import request_patch
 
 PAPER = Simulation()
@@ -26,6 +26,7 @@ CHOICES = {
     "coupling_gradient": (None, *COUPLING_GRADIENTS),
     "shear": (None, *SHEAR_FORMS),
     "coupling": (None, *COUPLINGS),
+    "stretch": (None, *STRETCHES),
 }
 models = st.fixed_dictionaries({}, optional={name: st.sampled_from(options) for name, options in CHOICES.items()})
 
@@ -78,7 +79,7 @@ def resolved(document: dict) -> Simulation | None:
 def meaning(request: Simulation) -> tuple:
     """The values that a request resolves to, found without the code under test."""
     return (
-        *(getattr(request.model, name) for name in ("coupling_gradient", "shear", "coupling")),
+        *(getattr(request.model, name) for name in ("coupling_gradient", "shear", "coupling", "stretch")),
         *(constant(request, name) for name in CONSTANTS),
         request.activation, request.posture, request.run, request.vowel,
         request.subglottal_pressure_pa, request.convergence_angle_rad,
@@ -108,7 +109,7 @@ def test_naming_a_default_changes_nothing(model, patch):
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_a_variant_is_the_paper_with_its_choices_and_constants(variant):
     chosen = VARIANTS[variant]
-    names = ("posture_set", "coupling_gradient", "shear", "coupling")
+    names = ("posture_set", "coupling_gradient", "shear", "coupling", "stretch")
     spelled = {"model": {name: getattr(chosen, name) for name in names}, "constants": dict(chosen.overrides)}
     assert address(resolve(spelled)) == address(resolve({"model": {"variant": variant}}))
 
@@ -205,7 +206,7 @@ def test_every_single_value_is_part_of_the_address(base, path):
 
 
 @pytest.mark.parametrize("base", BASES.values(), ids=BASES)
-@pytest.mark.parametrize("choice", ["variant", "posture_set", "coupling_gradient", "shear", "coupling"])
+@pytest.mark.parametrize("choice", ["variant", "posture_set", "coupling_gradient", "shear", "coupling", "stretch"])
 def test_a_choice_of_the_model_keeps_all_else(base, choice):
     """A patch of the model on a request is the request that names both from the start."""
     for option in DECLARATIONS[f"model.{choice}"].metadata["options"]:
