@@ -89,7 +89,7 @@ def nested(patch: Mapping[str, Any]) -> dict[str, Any]:
         if name in document:
             document[name] = _in_order(name, document[name])
         elif name in patch:
-            document[name] = []
+            document[name] = patch[name]
     return document
 
 

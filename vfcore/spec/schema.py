@@ -27,7 +27,8 @@ GROUPS = (
     *(part for part in PARTS if "." not in part and part not in _GROUP_OF_PART),
     *(FOLD_CONSTANTS, POSTURING_CONSTANTS),
 )
-_GROUP_OF_PATH = {"subglottal_pressure_pa": BREATH, "convergence_angle_rad": POSTURE, "vowel": TRACT}
+#: Of values at the top; one not named here belongs to the posture.
+_GROUP_OF_PATH = {"subglottal_pressure_pa": BREATH, "vowel": TRACT}
 _KEYWORDS = {
     "i": "heed", "I": "hid", "e": "hayed", "E": "head", "AE": "had", "V": "hud", "a": "hod", "O": "hawed", "o": "hoed",
     "U": "hood", "u": "who'd",
@@ -108,9 +109,10 @@ def _outer(part: str) -> str:
 def _group(declaration: Declaration) -> str:
     if declaration.part == LARYNX:
         return POSTURING_CONSTANTS if CONSTANTS[declaration.name].table == "posturing" else FOLD_CONSTANTS
-    return _GROUP_OF_PATH.get(declaration.path) or _GROUP_OF_PART.get(
-        _outer(declaration.part), _outer(declaration.part)
-    )
+    if not declaration.part:
+        return _GROUP_OF_PATH.get(declaration.path, POSTURE)
+    outer = _outer(declaration.part)
+    return _GROUP_OF_PART.get(outer, outer)
 
 
 def sensible_step(default: float | None, low: float, high: float) -> float:
