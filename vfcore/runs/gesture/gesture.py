@@ -14,7 +14,7 @@ from vfcore.runs.gesture.track import Track, track_from_pairs
 from vfcore.spec.address import computation
 from vfcore.spec.paths import LISTS, NUMBERS, NUMBERS_BEYOND, known_declaration, part_of
 from vfcore.spec.request import KIND as SIMULATION
-from vfcore.spec.request import document_of, flat, nested, patched, resolve
+from vfcore.spec.request import document_of, flat, merged, nested, patched, resolve
 from vfcore.spec.simulation import VOWELS, Simulation
 
 KIND = "gesture"
@@ -111,7 +111,7 @@ def gesture_to_dict(gesture: Gesture) -> dict[str, Any]:
     if gesture.vowels:
         moving["vowel"] = [[time, vowel] for time, vowel in gesture.vowels]
     document = document_of(gesture.start)
-    return document | nested(flat(document) | moving)
+    return document | nested(merged(flat(document), moving))
 
 
 def gesture_address(gesture: Gesture) -> str:
