@@ -14,4 +14,5 @@ MODEL_VERSION = "5"
 #: Raised when the same computation gets another address, so that what is stored at an older one is not read.
 #: 2: addresses hold every constant. Before, a number of a sweep that equalled the paper's was left out under every
 #: variant, and rows of one voice could be kept at the address of another.
-ADDRESS_VERSION = "2"
+#: 3: both folds, the lesions and the stretch of the membrane are part of an address.
+ADDRESS_VERSION = "3"

@@ -17,7 +17,7 @@ from vfcore.errors import ParameterError, VocalisError
 from vocalis.server.exceptions import NotReady
 from vocalis.server.jobs.kinds.registry import KINDS
 from vocalis.server.problems import MEDIA_TYPE, TABLE, Kind, document, kind_of, problem_of
-from vocalis.server.schemas.requests import OFFERED_KINDS, allowed_at, known_names, models_in
+from vocalis.server.schemas.requests import OFFERED_KINDS, allowed_at, models_in, refused_name
 
 log = logging.getLogger("vocalis")
 LONGEST_ECHO = 60
@@ -127,7 +127,8 @@ def _field(item: dict[str, Any], body: Any) -> dict[str, str]:
         models, place = [KINDS[place[0]].body], place[1:]
     if kind == "extra_forbidden":
         path = _path([*place[:-1]], place[-1]) or "a field without a name"
-        return {"path": path, "message": "is not a known field", "allowed": known_names(models[0], place)}
+        message, known = refused_name(models[0], place, path)
+        return {"path": path, "message": message, "allowed": known}
     path = _path(place) or str(where)
     if kind == "kind_not_offered":
         path = _path(place, "kind")

@@ -8,7 +8,7 @@ from typing import Any
 from vfcore.errors import ParameterError, VocalisError
 from vfcore.io.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 from vfcore.io.result_document import json_text
-from vfcore.runs.gesture.slew import differences, is_near, slew_limited
+from vfcore.runs.gesture.slew import come_or_gone, differences, is_near, slew_limited
 from vfcore.runs.gesture.voice import BLOCK_S, Voice, fixed_part_changed
 from vfcore.spec.paths import value_at
 from vfcore.spec.request import flat, patched
@@ -206,8 +206,8 @@ class Player:
         if voice is not None:
             if (part := fixed_part_changed(voice.request, wanted)) is not None:
                 raise ParameterError(part, "cannot change while the voice is played", "a new connection")
-            if (wanted.posture is None) != (self._wanted.posture is None):
-                raise ParameterError("posture", "cannot come or go while the voice is played", "a new connection")
+            if (part := come_or_gone(self._wanted, wanted)) is not None:
+                raise ParameterError(part, "cannot come or go while the voice is played", "a new connection")
             self._pace.moved = True
             self._paths = differences(voice.request, wanted)
             self._calm = 0

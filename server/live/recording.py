@@ -7,6 +7,7 @@ from vfcore.runs.gesture.gesture import Gesture, gesture_to_dict
 from vfcore.runs.gesture.slew import differences
 from vfcore.runs.gesture.track import Track
 from vfcore.runs.gesture.voice import BLOCK_S
+from vfcore.spec.declarations import SIDES
 from vfcore.spec.paths import value_at
 from vfcore.spec.simulation import Simulation
 
@@ -27,14 +28,27 @@ class Recording:
         if block > LONGEST_BLOCKS:
             return
         self.blocks = block
-        for path in differences(self._last, target):
-            points = self._numbers.setdefault(path, [(0, value_at(self._start, path))])
+        for path in self._moved(target):
+            points = self._numbers.setdefault(path, self._so_far(path, block))
             if points[-1][0] < block - 1:  # it was constant until the block before
                 points.append((block - 1, points[-1][1]))
             points.append((block, value_at(target, path)))
         if target.vowel != self._last.vowel:
             self._vowels.append((block, target.vowel))
         self._last = target
+
+    def _moved(self, target: Simulation) -> list[str]:
+        """The numbers that have moved since the last target; a number of a side may follow that of the request."""
+        paths = dict.fromkeys(differences(self._last, target))
+        on_side = (path for path in self._numbers if path.partition(".")[0] in SIDES)
+        paths |= {path: None for path in on_side if value_at(self._last, path) != value_at(target, path)}
+        return list(paths)
+
+    def _so_far(self, path: str, block: int) -> list[tuple[int, float]]:
+        """The points of a number that moves for the first time: a number of a side was that of the request before."""
+        first, _, rest = path.partition(".")
+        followed = self._numbers.get(rest, []) if first in SIDES else []
+        return [point for point in followed if point[0] < block] or [(0, value_at(self._start, path))]
 
     def document(self) -> dict[str, Any]:
         """The gesture as a request document."""

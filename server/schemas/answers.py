@@ -48,19 +48,25 @@ class Health(BaseModel):
 
 
 class Parameters(BaseModel):
-    """Every parameter as a row; presets, vowels and variants."""
+    """Every parameter as a row; presets, vowels, variants, the sides, and the lists of objects with their rows."""
 
     parameters: list[dict[str, Any]]
     groups: list[str]
     presets: list[dict[str, Any]]
     vowels: list[dict[str, Any]]
+    sides: list[str] = Field(description="before the path of a row with per_side, the path of one fold's value")
+    lists: list[dict[str, Any]]
+    lesion_kinds: list[dict[str, Any]] = Field(description="the numbers that each kind of lesion brings, and why")
     variants: list[dict[str, Any]]
 
 
 class ResolvedRequest(BaseModel):
     """A request with nothing left to a default."""
 
-    values: dict[str, Any] = Field(description="every value in force by path; null for an optional part not given")
+    values: dict[str, Any] = Field(
+        description="every value in force by path; null for an optional part or a side not given; of a given side the "
+        "values that it gives; an empty list at the path of each list"
+    )
     patch: dict[str, Any] = Field(description="the shortest patch by path that resolves to the same request")
     request: dict[str, Any] = Field(description="the complete request document")
     id: str = Field(description="the address of its result")

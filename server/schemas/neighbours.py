@@ -5,15 +5,15 @@ from typing import Annotated
 from pydantic import BaseModel, Field
 
 from vfcore.errors import ParameterError
-from vfcore.spec.paths import NUMBERS, value_for
+from vfcore.spec.paths import value_for
 from vfcore.spec.request import patched
 from vfcore.spec.simulation import Simulation
-from vocalis.server.schemas.requests import STRICT, PostureBody, simulation_of
+from vocalis.server.schemas.requests import NUMBER_PATHS, STRICT, PostureBody, simulation_of
 
 #: A posture and its shape take about 1 ms: this many hold up no other call by more than a frame or two.
 MOST_VALUES = 32
 
-PATHS = [path for path in NUMBERS if not path.startswith("run.")]
+PATHS = [path for path in NUMBER_PATHS if not path.startswith("run.")]
 Path = Annotated[str, Field(json_schema_extra={"enum": PATHS})]
 
 

@@ -12,25 +12,44 @@ from pydantic_core import PydanticCustomError
 
 from vfcore.runs.gesture.gesture import MOVABLE, Gesture, gesture_from_dict
 from vfcore.runs.gesture.track import LATEST_S, MOST_BREAKPOINTS
-from vfcore.spec.paths import LARYNX, NAMES_IN, OPTIONAL_PARTS, PARTS
+from vfcore.spec.declarations import LARYNX, SIDES
+from vfcore.spec.paths import (
+    LISTS,
+    NAMES_IN,
+    NUMBERS,
+    NUMBERS_BEYOND,
+    OPTIONAL_PARTS,
+    PARTS,
+    common_to_both_sides,
+    item_of,
+    names_known_in,
+)
 from vfcore.spec.request import resolve
-from vfcore.spec.schema import parameter_schema
+from vfcore.spec.schema import parameter_catalogue
 from vfcore.spec.simulation import Simulation
 
 STRICT = ConfigDict(extra="forbid", strict=True)
 OFFERED_KINDS = ("simulation",)
 #: Every parameter by its dotted path: the ranges that refusals name.
-ROWS: dict[str, dict[str, Any]] = {row["key"]: row for row in parameter_schema()}
+_CATALOGUE = parameter_catalogue()
+ROWS: dict[str, dict[str, Any]] = {row["key"]: row for row in _CATALOGUE["parameters"]}
+#: The values of an object of each list by name.
+ITEM_ROWS = {of["key"]: {row["key"]: row for row in of["parameters"]} for of in _CATALOGUE["lists"]}
+#: Every path of a number of a request.
+NUMBER_PATHS = (*NUMBERS, *NUMBERS_BEYOND)
 
 
-def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
-    """The (type, default) pair of ``create_model`` for one parameter; ``moving``: it may be a list of breakpoints."""
-    by_larynx = row["key"].startswith(f"{LARYNX}.")
+def _field(row: dict[str, Any], moving: bool = False, on_side: bool = False) -> tuple[Any, Any]:
+    """The (type, default) pair of ``create_model`` for one parameter; ``moving``: it may be a list of breakpoints;
+    ``on_side``: it is that of one fold.
+    """
+    # Not given: the value of the variant and posture set in force, or of the request, so no one default can be shown.
+    has_no_default = on_side or row["key"].startswith(f"{LARYNX}.")
 
     def extra(schema: dict[str, Any]) -> None:
         if row["unit"] is not None:
             schema["unit"] = row["unit"]
-        if by_larynx:  # not given: the value of the variant and posture set in force, so no one default can be shown
+        if has_no_default:
             schema.pop("default", None)
 
     text = " — ".join(text for text in (row["help"], row["source"]) if text)
@@ -46,12 +65,12 @@ def _field(row: dict[str, Any], moving: bool = False) -> tuple[Any, Any]:
     else:
         kind = float
         about.append(Field(ge=row["min"], le=row["max"], allow_inf_nan=False))
-    if moving and (row["key"] in MOVABLE or row["key"] == "vowel"):
+    if moving:
         about = [Field(title=row["label"], description=f"{text} — or [[time in s, value], …]", json_schema_extra=extra)]
         kind = Annotated[Any, WithJsonSchema({"anyOf": [_one(row), _breakpoints(row)]})]  # the core validates it
     if row["nullable"]:
         kind = kind | None
-    return Annotated[kind, *about], None if by_larynx else row["default"]
+    return Annotated[kind, *about], None if has_no_default else row["default"]
 
 
 def _one(row: dict[str, Any]) -> dict[str, Any]:
@@ -71,16 +90,47 @@ def _whole(value: Any) -> Any:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
-def _parts(suffix: str = "Body", moving: bool = False) -> tuple[dict[str, Any], dict[str, type[BaseModel]]]:
-    """Fields at the top of a request, and one model per object in it."""
+def _parts(suffix: str, moving: bool, on_side: bool = False) -> tuple[dict[str, Any], dict[str, type[BaseModel]]]:
+    """Fields at the top of a request, and one model per object in it; ``on_side``: those that a side has."""
+
+    def fields_of(part: str) -> dict[str, Any]:
+        rows = {name: ROWS[f"{part}.{name}" if part else name] for name in NAMES_IN[part]}
+        return {
+            name: _field(row, moving and (row["key"] in MOVABLE or row["key"] == "vowel"), on_side)
+            for name, row in rows.items()
+            if row["per_side"] or not on_side
+        }
+
     objects: dict[str, type[BaseModel]] = {}
     for part in reversed((*PARTS, LARYNX)):  # inner objects first
-        fields: dict[str, Any] = {name: _field(ROWS[f"{part}.{name}"], moving) for name in NAMES_IN[part]}
-        fields |= _part_fields(objects, part)
-        name = "".join(word.capitalize() for word in part.split("."))
-        objects[part] = create_model(f"{name}{suffix}", __config__=STRICT, **fields)
-    top = {name: _field(ROWS[name], moving) for name in NAMES_IN[""]}
-    return top, {part: objects[part] for part in (*PARTS, LARYNX)}
+        fields = fields_of(part) | _part_fields(objects, part)
+        if fields:
+            objects[part] = create_model(f"{_camel(part)}{suffix}", __config__=STRICT, **fields)
+    return fields_of(""), {part: objects[part] for part in (*PARTS, LARYNX) if part in objects}
+
+
+def _camel(part: str) -> str:
+    return "".join(word.capitalize() for word in part.split("."))
+
+
+def _beyond(suffix: str = "Body", moving: bool = False) -> dict[str, tuple[Any, Any]]:
+    """Fields of the sides and of the lists of a request."""
+    top, objects = _parts(f"Side{suffix}", moving, on_side=True)
+    of_side: dict[str, Any] = top | _part_fields(objects)
+    text = "The values in which the fold of one side differs; all others are those of the request."
+    side = create_model(f"Side{suffix}", __config__=STRICT, __doc__=text, **of_side)
+    text = "the fold of the patient's {} side; null: as the request says"
+    fields: dict[str, tuple[Any, Any]] = {
+        name: (Annotated[side | None, Field(description=text.format(name))], None) for name in SIDES
+    }
+    for name, of in LISTS.items():
+        values: dict[str, Any] = {
+            key: _field(row, moving and row["type"] == "number") for key, row in ITEM_ROWS[name].items()
+        }
+        item = create_model(f"{of.kind.__name__}{suffix}", __config__=STRICT, **values)
+        about: Any = Field(default_factory=list, max_length=of.at_most, title=of.label, description=of.help)
+        fields[name] = (list[item], about)  # type: ignore[valid-type]
+    return fields
 
 
 def _part_fields(objects: dict[str, type[BaseModel]], inside: str = "") -> dict[str, tuple[Any, Any]]:
@@ -108,10 +158,8 @@ class _Kind(BaseModel):
         return document
 
 
-_TOP, _OBJECTS = _parts()
-
-
-_OBJECT_FIELDS = _part_fields(_OBJECTS)
+_TOP, _OBJECTS = _parts("Body", moving=False)
+_OBJECT_FIELDS = _part_fields(_OBJECTS) | _beyond()
 if TYPE_CHECKING:  # a type checker cannot follow models that are made from rows
 
     class PostureBody(_Kind): ...
@@ -145,7 +193,7 @@ else:
         __config__=STRICT,
         __doc__="A simulation in which numbers may be breakpoints over time, [[time in s, value], …].",
         kind=(Literal["simulation", "gesture"], "gesture"),
-        **(_MOVING_TOP | _part_fields(_MOVING_OBJECTS)),
+        **(_MOVING_TOP | _part_fields(_MOVING_OBJECTS) | _beyond("GestureBody", moving=True)),
     )
 
 
@@ -162,9 +210,14 @@ def simulation_of(body: BaseModel) -> Simulation:
 def allowed_at(path: str) -> str | None:
     """The values that a field of a body takes, in words; None when there is no such field."""
     path = path.removeprefix("base.")
-    if path in _OBJECTS:
-        return f"an object with {', '.join(sorted(_OBJECTS[path].model_fields))}"
-    if (row := ROWS.get(path)) is None:
+    if path and names_known_in(path):
+        return f"an object with {', '.join(sorted(names_known_in(path)))}"
+    if path in LISTS:
+        return f"a list of up to {LISTS[path].at_most} objects"
+    first, _, rest = path.partition(".")
+    item = item_of(path)
+    row = ITEM_ROWS[item[0]].get(item[2]) if item else ROWS.get(rest if first in SIDES else path)
+    if row is None:
         return None
     if row["options"]:
         return " | ".join(row["options"])
@@ -179,6 +232,12 @@ def models_in(annotation: Any) -> list[type[BaseModel]]:
     if isinstance(annotation, type) and get_origin(annotation) is None:
         return [annotation] if issubclass(annotation, BaseModel) else []
     return [model for inner in get_args(annotation) for model in models_in(inner)]
+
+
+def refused_name(body: type[BaseModel], place: Sequence[int | str], path: str) -> tuple[str, str]:
+    """Why the object of ``body`` has no field at ``place``, of the dotted ``path``, and which it has."""
+    common = common_to_both_sides(path.removeprefix("base."))
+    return ("is not a known field", known_names(body, place)) if common is None else (common.message, common.allowed)
 
 
 def known_names(body: type[BaseModel], place: Sequence[int | str]) -> str:

@@ -8,8 +8,7 @@ from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.many import PRECISIONS, SINGLE_PRECISION
 from vfcore.runs.sweep.document import MOST_AXES, sweep_from_dict
 from vfcore.runs.sweep.plan import Sweep
-from vfcore.spec.paths import NUMBERS
-from vocalis.server.schemas.requests import STRICT, SimulationBody
+from vocalis.server.schemas.requests import NUMBER_PATHS, STRICT, SimulationBody
 
 if TYPE_CHECKING:
     MeasureKey = str
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
 else:
     MeasureKey = Literal[tuple(CATALOGUE.keys())]
     Precision = Literal[PRECISIONS]
-Path = Annotated[str, Field(json_schema_extra={"enum": list(NUMBERS)})]
+Path = Annotated[str, Field(json_schema_extra={"enum": list(NUMBER_PATHS)})]
 
 
 class AxisBody(BaseModel):

@@ -1,4 +1,4 @@
-"""Equal computations have equal addresses: random requests over all variants, posture sets and couplings."""
+"""Equal computations have equal addresses: random requests over all variants, posture sets, sides and lesions."""
 
 import dataclasses
 import json
@@ -13,10 +13,12 @@ from vfcore.runs.gesture.gesture import MOVABLE, gesture_address, gesture_from_d
 from vfcore.runs.sweep import sweep_from_dict
 from vfcore.spec.address import address, computation
 from vfcore.spec.larynx import CONSTANTS
-from vfcore.spec.paths import DECLARATIONS, NUMBERS, value_at
+from vfcore.spec.lesions import KINDS
+from vfcore.spec.paths import DECLARATIONS, LISTS, NUMBERS, known_declaration, value_at
 from vfcore.spec.posture_sets import POSTURE_SETS
 from vfcore.spec.request import document_of, flat, merged, nested, patch_of, patched, resolve, values_of
-from vfcore.spec.simulation import COUPLING_GRADIENTS, COUPLINGS, SHEAR_FORMS, VARIANTS, Simulation
+from vfcore.spec.sides import folds_of
+from vfcore.spec.simulation import COUPLING_GRADIENTS, COUPLINGS, SHEAR_FORMS, STRETCHES, VARIANTS, Simulation
 from vocalis.cli.requests import request_patch
 
 PAPER = Simulation()
@@ -26,12 +28,16 @@ CHOICES = {
     "coupling_gradient": (None, *COUPLING_GRADIENTS),
     "shear": (None, *SHEAR_FORMS),
     "coupling": (None, *COUPLINGS),
+    "stretch": (None, *STRETCHES),
 }
 models = st.fixed_dictionaries({}, optional={name: st.sampled_from(options) for name, options in CHOICES.items()})
 
 
 def known_values(path: str) -> list[float]:
-    """Values that a variant or posture set has at a path, which reveal mixed-up defaults."""
+    """Values that a variant, posture set or kind of lesion has at a path, which reveal mixed-up defaults."""
+    path = path.removeprefix("left.").removeprefix("right.")
+    if path.startswith("lesions."):
+        return sorted({getattr(kind, path.split(".")[2]) for kind in KINDS.values()})
     name = path.removeprefix("constants.")
     if path.startswith("constants."):
         requests = [resolve({"model": {"variant": v}}) for v in VARIANTS]
@@ -50,16 +56,37 @@ def constant(request: Simulation, name: str) -> float:
 
 
 def values_at(path: str):
-    metadata = DECLARATIONS[path].metadata
+    metadata = known_declaration(path).metadata
     if metadata["type"] == "integer":
         return st.integers(metadata["low"], metadata["high"])
     return st.sampled_from(known_values(path)) | st.floats(metadata["low"], metadata["high"])
 
 
 CHANGED_BY_VARIANTS = [f"constants.{change.name}" for variant in VARIANTS.values() for change in variant.changes]
-paths = st.sampled_from(NUMBERS) | st.sampled_from(CHANGED_BY_VARIANTS)
+OF_ONE_FOLD = [path for path in NUMBERS if DECLARATIONS[path].per_side]
+fold_paths = st.sampled_from(OF_ONE_FOLD) | st.sampled_from(
+    [path for path in CHANGED_BY_VARIANTS if "airway" not in path]
+)
+paths = (
+    st.sampled_from(NUMBERS)
+    | st.sampled_from(CHANGED_BY_VARIANTS)
+    | st.builds("{}.{}".format, st.sampled_from(["left", "right"]), fold_paths | st.sampled_from(["activation.ta"]))
+    | st.sampled_from(["lesions.0.height_mm", "lesions.0.x", "lesions.0.mass_ratio"])
+)
+#: Numbers, as a point of a sweep has them.
 patches = st.lists(paths, max_size=4, unique=True).flatmap(
     lambda chosen: st.fixed_dictionaries({path: values_at(path) for path in chosen})
+)
+lesions = st.fixed_dictionaries(
+    {},
+    optional={"side": st.sampled_from(["left", "right", "both"]), "kind": st.sampled_from(list(KINDS))}
+    | {name: values_at(f"lesions.0.{name}") for name, row in LISTS["lesions"].rows.items() if row.is_number},
+)
+#: Any values that a request may start from.
+bases = st.builds(
+    lambda numbers, items: flat({"lesions": items}) | numbers if items else numbers,
+    patches,
+    st.lists(lesions, max_size=2),
 )
 
 
@@ -75,24 +102,97 @@ def resolved(document: dict) -> Simulation | None:
         return None  # inconsistent numbers
 
 
+def meant(patch: dict, model: dict[str, str | None]) -> tuple | None:
+    """What both folds of a request are computed from, once where they are equal; None for inconsistent numbers."""
+    folds = []
+    for side in ("left", "right"):
+        own = {
+            path: value for path, value in patch.items() if path.partition(".")[0] not in ("left", "right", "lesions")
+        }
+        own |= {path.partition(".")[2]: value for path, value in patch.items() if path.startswith(side)}
+        if (request := resolved(asking(own, model))) is None:
+            return None
+        folds.append((meaning(request), lesions_meant(nested(patch).get("lesions", []), side)))
+    return tuple(folds) if folds[0] != folds[1] else (folds[0],)
+
+
+def lesions_meant(items: list[dict], side: str) -> list[tuple[float, ...]]:
+    """Numbers of the lesions of a side that change something, smallest first."""
+    found = []
+    for item in items:
+        kind = KINDS[item.get("kind") or "custom"]
+        names = [name for name, row in LISTS["lesions"].rows.items() if row.is_number]
+        numbers = {name: getattr(kind, name) if item.get(name) is None else item[name] for name in names}
+        neutral = numbers["height_mm"] == 0 and all(numbers[name] == 1 for name in names if "ratio" in name)
+        if item.get("side") in (side, "both", None) and not neutral:
+            found.append(tuple(numbers.values()))
+    return sorted(found)
+
+
 def meaning(request: Simulation) -> tuple:
-    """The values that a request resolves to, found without the code under test."""
+    """The values that a request without sides and lesions resolves to, found without the code under test."""
     return (
-        *(getattr(request.model, name) for name in ("coupling_gradient", "shear", "coupling")),
+        *(getattr(request.model, name) for name in ("coupling_gradient", "shear", "coupling", "stretch")),
         *(constant(request, name) for name in CONSTANTS),
         request.activation, request.posture, request.run, request.vowel,
         request.subglottal_pressure_pa, request.convergence_angle_rad,
     )  # fmt: skip
 
 
-@given(models, patches, models, patches)
+@given(models, bases, models, bases)
 def test_two_requests_have_one_address_exactly_when_they_compute_the_same(model, patch, other_model, other_patch):
     one, other = resolved(asking(patch, model)), resolved(asking(other_patch, other_model))
     if one is not None and other is not None:
-        assert (address(one) == address(other)) == (meaning(one) == meaning(other))
+        assert (address(one) == address(other)) == (meant(patch, model) == meant(other_patch, other_model))
 
 
-@given(models, patches)
+def on(side: str, patch: dict) -> dict:
+    return {f"{side}.{path}": value for path, value in patch.items()}
+
+
+fold_patches = st.lists(fold_paths, min_size=1, max_size=3, unique=True).flatmap(
+    lambda chosen: st.fixed_dictionaries({path: values_at(path) for path in chosen})
+)
+
+
+@given(models, bases, fold_patches, fold_patches)
+def test_the_address_is_of_two_folds_whatever_the_request_calls_them(model, base, one, other):
+    base = {path: value for path, value in base.items() if path.partition(".")[0] not in ("left", "right", "lesions")}
+    two, swapped, both, plain = (
+        resolved(asking(base | patch, model))
+        for patch in (on("left", one) | on("right", other), on("left", other) | on("right", one),
+                      on("left", one) | on("right", one), one)
+    )  # fmt: skip
+    if two is not None and swapped is not None:
+        assert (address(two) == address(swapped)) == (len(folds_of(two)) == 1), "sides are not interchangeable"
+        assert folds_of(two) == folds_of(swapped)[::-1]
+    if both is not None and plain is not None:
+        assert address(both) == address(plain), "a fold and its mirror image"
+        assert folds_of(both) == folds_of(plain)
+    alone = resolved(asking(base, model))
+    if alone is not None:
+        spelled = {path: value_at(alone, path) for path in one if value_at(alone, path) is not None}
+        assert address(patched(alone, on("right", spelled))) == address(alone), "nothing differs"
+
+
+@given(models, patches, st.lists(lesions, min_size=1, max_size=3), st.randoms())
+def test_lesions_have_no_names_no_order_and_no_place_without_an_effect(model, patch, items, rng):
+    patch = {path: value for path, value in patch.items() if not path.startswith("lesions")}
+    request = resolved(asking(patch | flat({"lesions": items}), model))
+    if request is None:
+        return
+    apart = [
+        {name: getattr(lesion, name) for name in LISTS["lesions"].rows} | {"kind": "custom", "side": side}
+        for lesion in request.lesions
+        for side in (("left", "right") if lesion.side == "both" else (lesion.side,))
+    ]
+    apart += [{"x": 0.2}, {"side": "left", "length_mm": 9.0}]
+    rng.shuffle(apart)
+    other = resolve(asking(patch | flat({"lesions": apart}), model))
+    assert address(other) == address(request) and folds_of(other) == folds_of(request)
+
+
+@given(models, bases)
 def test_naming_a_default_changes_nothing(model, patch):
     """A request with all its resolved values is the same computation."""
     request = resolved(asking(patch, model))
@@ -108,12 +208,12 @@ def test_naming_a_default_changes_nothing(model, patch):
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_a_variant_is_the_paper_with_its_choices_and_constants(variant):
     chosen = VARIANTS[variant]
-    names = ("posture_set", "coupling_gradient", "shear", "coupling")
+    names = ("posture_set", "coupling_gradient", "shear", "coupling", "stretch")
     spelled = {"model": {name: getattr(chosen, name) for name in names}, "constants": dict(chosen.overrides)}
     assert address(resolve(spelled)) == address(resolve({"model": {"variant": variant}}))
 
 
-@given(models, patches, patches)
+@given(models, bases, patches)
 def test_a_point_of_a_sweep_has_the_computation_and_address_of_its_own_request(model, base, point):
     if resolved(asking(base, model)) is None:
         return
@@ -127,7 +227,7 @@ def test_a_point_of_a_sweep_has_the_computation_and_address_of_its_own_request(m
     assert sweep.address(0) == spelled.address(0)
 
 
-@given(models, patches, patches)
+@given(models, bases, patches)
 def test_every_form_of_a_request_gives_the_same_request(model, base, patch):
     """Document, patch, patch on a request, shortest patch, complete document: one request."""
     asked = asking(base | patch, model)
@@ -148,15 +248,15 @@ def test_every_form_of_a_request_gives_the_same_request(model, base, patch):
     assert still.at(0.0) == request == still.start, "a gesture in which nothing moves"
 
 
-@given(models, patches)
+@given(models, bases)
 def test_the_shortest_patch_omits_the_choices_of_the_variant(model, patch):
     request = resolved(asking(patch, model))
     if request is None:
         return
     shortest = patch_of(request)
     for path in shortest:
-        if path.startswith("posture."):
-            continue  # a given posture is named in full
+        if path.startswith(("posture.", "left.", "right.", "lesions.")):
+            continue  # a given posture is named in full, and what a side gives is kept
         without = {other: value for other, value in shortest.items() if other != path}
         assert resolved(without) != request, f"{path} says nothing"
 
@@ -173,7 +273,7 @@ BASES = {
 
 def another_value(request: Simulation, path: str):
     """A value near the one in force, and different from it."""
-    metadata, now = DECLARATIONS[path].metadata, value_at(request, path)
+    metadata, now = known_declaration(path).metadata, value_at(request, path)
     if metadata["type"] == "boolean":
         return not now
     if metadata["type"] == "choice":
@@ -186,7 +286,7 @@ def another_value(request: Simulation, path: str):
     return now * 1.001 if low <= now * 1.001 <= high else now * 0.999
 
 
-@pytest.mark.parametrize("path", DECLARATIONS)
+@pytest.mark.parametrize("path", [*DECLARATIONS, *(f"right.{path}" for path in OF_ONE_FOLD)])
 @pytest.mark.parametrize("base", BASES.values(), ids=BASES)
 def test_every_single_value_is_part_of_the_address(base, path):
     """One value changed: another address exactly when another computation, for a run and for a point of a sweep."""
@@ -194,10 +294,15 @@ def test_every_single_value_is_part_of_the_address(base, path):
     value = another_value(request, path)
     changed = patched(request, {path: value})
     assert changed == resolve(merged(flat(document_of(request)), {path: value})) or path.startswith("model.")
-    assert (address(changed) == address(request)) == (meaning(changed) == meaning(request))
+    if path.startswith("right."):
+        assert len(folds_of(changed)) == 2
+        left = patched(request, {path.replace("right.", "left."): value})
+        assert len({address(one) for one in (request, changed, left)}) == 3
+    else:
+        assert (address(changed) == address(request)) == (meaning(changed) == meaning(request))
     if not path.startswith("model."):
         assert address(changed) != address(request)
-    if DECLARATIONS[path].is_number:
+    if known_declaration(path).is_number:
         sweep = sweep_from_dict({"base": base, "axes": [{"parameter": path, "values": [value]}]})
         assert sweep.computation(0) == computation(changed)
         plain = sweep_from_dict({"base": base, "points": [{}]})
@@ -205,7 +310,7 @@ def test_every_single_value_is_part_of_the_address(base, path):
 
 
 @pytest.mark.parametrize("base", BASES.values(), ids=BASES)
-@pytest.mark.parametrize("choice", ["variant", "posture_set", "coupling_gradient", "shear", "coupling"])
+@pytest.mark.parametrize("choice", ["variant", "posture_set", "coupling_gradient", "shear", "coupling", "stretch"])
 def test_a_choice_of_the_model_keeps_all_else(base, choice):
     """A patch of the model on a request is the request that names both from the start."""
     for option in DECLARATIONS[f"model.{choice}"].metadata["options"]:
@@ -304,9 +409,23 @@ def test_a_new_measure_gives_rows_of_all_measures_another_address(monkeypatch):
     assert (after.address(0), after.content) != old and after.address(0) != old[0]
 
 
-@pytest.mark.parametrize("part", ["activation", "model", "run", "constants"])
+PARTS_NEVER_NULL = [
+    "activation",
+    "model",
+    "run",
+    "constants",
+    "lesions",
+    "left.activation",
+    "right.constants",
+    "lesions.0",
+]
+
+
+@pytest.mark.parametrize("part", PARTS_NEVER_NULL)
 def test_a_part_that_is_null_is_refused_by_name(part):
-    with pytest.raises(ParameterError) as refusal:
-        resolve({part: None})
-    assert refusal.value.path == part and "null" in refusal.value.message
-    assert resolve({"posture": None}) == PAPER
+    for asked in ({part: None}, nested({part: None})):
+        with pytest.raises(ParameterError) as refusal:
+            resolve(asked)
+        assert refusal.value.path == part and "null" in refusal.value.message
+    for optional in ("posture", "left", "right", "left.posture", "right.posture"):
+        assert address(resolve({optional: None})) == address(resolve(nested({optional: None}))) == address(PAPER)

@@ -7,7 +7,7 @@ the metadata that ``quantity`` attaches to a dataclass field.
 import dataclasses
 import math
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from numbers import Real
 from typing import Any
@@ -29,10 +29,14 @@ def quantity(
     symbol: str = "",
     step: float | None = None,
     whole: bool = False,
+    per_side: bool = False,
+    common: str = "",
 ) -> Any:
     """A number field of a frozen dataclass, valid on the closed interval [low, high].
 
     ``default`` None: the field may be null, and its class says what that means. ``whole``: the number is an integer.
+    ``per_side``: the number may differ between the left and the right fold. ``common``: why a number cannot, although
+    all others of its part or table may.
     """
     return dataclasses.field(
         default=default,
@@ -46,6 +50,8 @@ def quantity(
             "help": help,
             "symbol": symbol,
             "step": step,
+            "per_side": per_side,
+            "common": common,
         },
     )
 
@@ -65,15 +71,73 @@ def flag(default: bool, label: str, *, source: str, help: str = "") -> Any:
     )
 
 
-def part(kind: type, *, optional: bool = False) -> Any:
+def part(kind: type, *, optional: bool = False, per_side: bool = False) -> Any:
     """A field that is an object of a request: a dataclass of declared fields.
 
-    ``optional``: the object may be null, and is null by default. Everything that reads requests (paths, documents,
-    addresses, schema, the server's bodies) follows this declaration.
+    ``optional``: the object may be null, and is null by default. ``per_side``: its values may differ between the left
+    and the right fold. Everything that reads requests (paths, documents, addresses, schema, the server's bodies)
+    follows this declaration.
     """
     return dataclasses.field(
-        metadata={"part": kind, "optional": optional}, **({"default": None} if optional else {"default_factory": kind})
+        metadata={"part": kind, "optional": optional, "per_side": per_side},
+        **({"default": None} if optional else {"default_factory": kind}),
     )
+
+
+def _all_of_it(items: tuple, side: str) -> tuple:
+    return items
+
+
+def parts(
+    kind: type, label: str, *, at_most: int, help: str = "", on_side: Callable[[tuple, str], tuple] = _all_of_it
+) -> Any:
+    """A field at the top of a request that is a list of objects, empty by default: a tuple of ``kind``.
+
+    ``at_most``: the largest number of objects. ``on_side``: the objects that the fold of a side ("left" or "right")
+    has, in a form in which equal folds have equal objects; by default all of them. A value of an object that is null
+    by default is filled in by its class, from those that are not.
+    """
+    return dataclasses.field(
+        default=(), metadata={"parts": kind, "label": label, "at_most": at_most, "help": help, "on_side": on_side}
+    )
+
+
+def of_one_side() -> Any:
+    """A field at the top of a request that holds what differs on one side: a ``vfcore.spec.sides.Side`` or None."""
+    return dataclasses.field(default=None, metadata={"side": True})
+
+
+@cache
+def _parts_in(kind: Any) -> Mapping[str, type]:
+    """The objects directly in a request class or in one of its parts, by the names of their fields."""
+    return {spec.name: spec.metadata["part"] for spec in dataclasses.fields(kind) if "part" in spec.metadata}
+
+
+def made(kind: Any, tree: Mapping[str, Any]) -> Any:
+    """An object of ``kind`` with the values of a tree, in which parts are mappings; the others have their defaults."""
+    inner = _parts_in(kind)
+    return kind(
+        **{
+            name: made(inner[name], value) if name in inner and value is not None else value
+            for name, value in tree.items()
+        }
+    )
+
+
+def changes_of(owner: Any, tree: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields of an object that the values of a tree replace; parts of the tree are mappings."""
+    changes: dict[str, Any] = {}
+    kind: Any = type(owner)
+    inner = _parts_in(kind)
+    for name, value in tree.items():
+        if name in inner and value is not None:
+            old = getattr(owner, name)
+            changes[name] = (
+                made(inner[name], value) if old is None else dataclasses.replace(old, **changes_of(old, value))
+            )
+        else:
+            changes[name] = value
+    return changes
 
 
 def validate(instance: Any, prefix: str = "") -> None:

@@ -11,6 +11,7 @@ from vfcore.spec.fields import PAPER, quantity, validate
 _DIM = f"{PAPER}, table of resting dimensions and densities"
 _CON = f"{PAPER}, table of constitutive parameters"
 _AIR = f"{PAPER}, table of aerodynamic parameters"
+_ONE_STREAM = "one stream of air passes between the folds"
 _MEC = f"{PAPER}, table of stiffness and damping parameters"
 
 
@@ -64,10 +65,16 @@ class FoldConstants:
     epsilon_m_ta: float = quantity(0.3, "1", "TA, strain of largest active stress", -1, 1, source=_CON, symbol="ε_m,ta")
     alpha_2_ta: float = quantity(1.0, "1", "TA, width of the active stress", 0, 20, source=_CON, symbol="α_2,ta")
 
-    alpha_s: float = quantity(1.3, "1", "flow separation ratio", 1.0, 2.5, source=_AIR, symbol="α_s")
-    rho_a_kg_m3: float = quantity(1.14, "kg/m³", "density of air", 0.1, 10, source=_AIR, symbol="ρ_a")
-    mu_a_pa_s: float = quantity(1.8e-5, "Pa·s", "viscosity of air", 0, 1e-3, source=_AIR, symbol="μ_a")
-    c_a_m_s: float = quantity(350.0, "m/s", "speed of sound", 100, 1500, source=_AIR, symbol="c_a")
+    alpha_s: float = quantity(
+        1.3, "1", "flow separation ratio", 1.0, 2.5, source=_AIR, symbol="α_s", common=_ONE_STREAM
+    )
+    rho_a_kg_m3: float = quantity(
+        1.14, "kg/m³", "density of air", 0.1, 10, source=_AIR, symbol="ρ_a", common=_ONE_STREAM
+    )
+    mu_a_pa_s: float = quantity(
+        1.8e-5, "Pa·s", "viscosity of air", 0, 1e-3, source=_AIR, symbol="μ_a", common=_ONE_STREAM
+    )
+    c_a_m_s: float = quantity(350.0, "m/s", "speed of sound", 100, 1500, source=_AIR, symbol="c_a", common=_ONE_STREAM)
 
     K_coup_min_pa_m: float = quantity(
         5e4, "Pa/m", "coupling stiffness, soft edge", 0, 1e8, source=_MEC, symbol="K_coup,min"

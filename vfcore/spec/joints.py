@@ -20,8 +20,15 @@ _CTJ = "cricothyroid joint, Titze & Hunter (2007) as used by Alzamendi et al. (2
 _COL = "arytenoid collision, as implemented with the model of Alzamendi et al. (2022)"
 
 
-def _q(default, unit, label, low, high, source, symbol):
-    return quantity(default, unit, label, low, high, source=source, symbol=symbol)
+# The cricothyroid joint moves the thyroid cartilage, to which both folds are attached in front. Its strains ε_t and ε_r
+# are shared unknowns, and L_0 turns them into its elongations, so L_0 is shared too. All else appears in the equations
+# r0, r1, r2 of one arytenoid only (vfcore/kernels/posture_equations.py), adductor_strain_gain included.
+_COMMON = {_CTJ: "there is one cricothyroid joint"}
+
+
+def _q(default, unit, label, low, high, source, symbol, common=""):
+    common = common or _COMMON.get(source, "")
+    return quantity(default, unit, label, low, high, source=source, symbol=symbol, common=common)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,6 +38,7 @@ class JointConstants:
     L_0_posture_m: float = _q(
         0.0173, "m", "resting fold length in the posturing equations", 5e-3, 3e-2,
         "length of the TA muscle, Titze & Hunter (2007); the vibrating fold of the paper has 15 mm", "L_0",
+        common="it measures the elongation by the one cricothyroid joint",
     )  # fmt: skip
     adductor_strain_gain: float = _q(0.7, "1", "strain of LCA, IA and PCA per γ θ_a / length", 0, 2, _CAJ, "0.7")
 

@@ -26,7 +26,7 @@ class AirwayConstants:
     airway_scale: float = quantity(
         1.0, "1", "size of both airways", 0.5, 1.5, symbol="s_a", step=0.01,
         source="1: the published male airways (Story 2008; Zañartu et al. 2007)",
-        help="all lengths and diameters, relative to the published ones",
+        help="all lengths and diameters, relative to the published ones", common="both folds have the same airways",
     )  # fmt: skip
 
     def __post_init__(self):

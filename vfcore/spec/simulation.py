@@ -3,13 +3,20 @@
 The defaults are the paper's modal case. Field names are those of the JSON request document.
 """
 
+import dataclasses
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
+from typing import Any, Self
 
 from vfcore.errors import ParameterError
-from vfcore.spec.fields import PAPER, choice, flag, part, quantity, validate
+from vfcore.spec.declarations import LARYNX, SIDES, lists_of
+from vfcore.spec.fields import PAPER, changes_of, choice, flag, of_one_side, part, parts, quantity, validate
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.larynx import Larynx, larynx_of
+from vfcore.spec.lesions import Lesion, lesions_on
 from vfcore.spec.posture_sets import POSTURE_SETS, PosturingConstants
+from vfcore.spec.sides import Side, resolved_folds, side_of
 from vfcore.spec.variants import VARIANTS
 
 VOWELS = ("i", "I", "e", "E", "AE", "V", "a", "O", "o", "U", "u")
@@ -73,8 +80,9 @@ _NUMERICS = "numerical choice of this implementation"
 COUPLING_GRADIENTS = ("inferior_stiff", "superior_stiff")
 SHEAR_FORMS = ("kelvin_voigt", "rotation")
 COUPLINGS = ("one_way", "two_way")
+STRETCHES = ("linear", "finite")
 #: Choices that the variant makes if the request does not.
-BROUGHT_BY_VARIANT = ("posture_set", "coupling_gradient", "shear", "coupling")
+BROUGHT_BY_VARIANT = ("posture_set", "coupling_gradient", "shear", "coupling", "stretch")
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +111,10 @@ class Model:
         None, "source–tract coupling", COUPLINGS, source=f"{PAPER}, Acoustic output; two_way: Titze (2008)",
         help="one_way: the tract hears the folds; two_way: the airways also act on the flow and on the folds; left "
         "out: the variant's own",
+    )  # fmt: skip
+    stretch: str = choice(
+        None, "membrane tension", STRETCHES, source="docs/model/choices.md",
+        help="linear: constant, as in the paper; finite: grows with the swing; left out: the variant's own",
     )  # fmt: skip
 
     def __post_init__(self):
@@ -164,10 +176,12 @@ class Run:
 class Simulation:
     """One complete request; fields not given have the values of the paper's modal case.
 
-    ``larynx``: None is replaced by that of the model's variant and posturing set on creation.
+    ``left``, ``right``: the values in which the fold of that side differs, None where it does not; see
+    ``vfcore.spec.sides.folds_of``. ``larynx``: None is replaced by that of the model's variant and posturing set on
+    creation. ``folds``: what ``folds_of`` returns, None where it is the request itself.
     """
 
-    activation: Activation = part(Activation)
+    activation: Activation = part(Activation, per_side=True)
     subglottal_pressure_pa: float = quantity(
         1000.0, "Pa", "lung pressure", 0, 5000, symbol="P_s", source=f"{PAPER}, Simulation setup", step=10,
         help="the steady pressure below the folds",
@@ -176,15 +190,24 @@ class Simulation:
         0.02, "rad", "convergence angle", -0.02, 0.3, symbol="θ_conv", step=0.001,
         source=f"{PAPER}, table of resting dimensions",
         help="angle between the medial plane and the anterior edge; positive converges towards the mouth",
+        per_side=True,  # each fold has its own medial plane
     )  # fmt: skip
     vowel: str = choice("a", "vowel", VOWELS, source="Story (2008), JASA 123(1):327–335")
     model: Model = part(Model)
-    posture: PostureOverride | None = part(PostureOverride, optional=True)
+    posture: PostureOverride | None = part(PostureOverride, optional=True, per_side=True)
     run: Run = part(Run)
+    left: Side | None = of_one_side()
+    right: Side | None = of_one_side()
+    lesions: tuple[Lesion, ...] = parts(
+        Lesion, "lesions", at_most=8, on_side=lesions_on,
+        help="patches of other material and shape on the folds, each with a kind that brings its numbers",
+    )  # fmt: skip
     larynx: Larynx = field(default=None)  # type: ignore[assignment]  # replaced on creation
+    folds: tuple["Simulation", ...] | None = field(default=None, init=False, repr=False, compare=False)
 
     def __post_init__(self):
         validate(self)
+        self._check_lists()
         if self.larynx is None:
             object.__setattr__(self, "larynx", larynx_of(self.model.variant, self.model.posture_set))
         if self.run.pressure_rise_s > self.run.duration_s:
@@ -193,6 +216,20 @@ class Simulation:
                 f"{self.run.pressure_rise_s:g} is longer than the run",
                 f"0 to run.duration_s = {self.run.duration_s:g} s",
             )
+        for side in SIDES:
+            object.__setattr__(self, side, side_of(getattr(self, side)))
+        object.__setattr__(self, "folds", resolved_folds(self))
+
+    def _check_lists(self):
+        kind: Any = type(self)
+        for name, row in lists_of(kind).items():
+            items = tuple(getattr(self, name))
+            if len(items) > row.at_most:
+                raise ParameterError(name, f"{len(items)} are too many", f"up to {row.at_most}")
+            for k, item in enumerate(items):
+                if not isinstance(item, row.kind):
+                    raise ParameterError(f"{name}.{k}", f"{type(item).__name__} is not an object", ", ".join(row.rows))
+            object.__setattr__(self, name, items)
 
     @property
     def constants(self) -> FoldConstants:
@@ -204,12 +241,36 @@ class Simulation:
         """The constants of joints and muscles."""
         return self.larynx.posturing
 
-    def with_activation(self, activation: Activation) -> "Simulation":
+    def with_activation(self, activation: Activation) -> Self:
         """The same request with other muscles. Without renewed checks, since all else is unchanged: a moving voice
         needs a hundred a second, and ``dataclasses.replace`` takes ten times as long.
         """
-        moved = object.__new__(Simulation)
-        for name in Simulation.__slots__:
-            object.__setattr__(moved, name, getattr(self, name))
-        object.__setattr__(moved, "activation", activation)
+        moved = self.copied(activation=activation)
+        if self.folds is not None:
+            object.__setattr__(moved, "folds", resolved_folds(moved))
         return moved
+
+    def with_values(self, tree: Mapping[str, Any], **fields: Any) -> Self:
+        """The same request with the values of a tree, in which parts are mappings, and with other ``fields``.
+
+        Raises ParameterError with the path of a value that cannot be used.
+        """
+        if not fields and tree.keys() == {"activation"}:
+            return self.with_activation(dataclasses.replace(self.activation, **tree["activation"]))
+        if constants := tree.get(LARYNX):
+            fields["larynx"] = self.larynx.override(constants)
+        rest = {name: value for name, value in tree.items() if name != LARYNX}
+        return dataclasses.replace(self, **fields, **changes_of(self, rest))
+
+    def copied(self, **fields: Any) -> Self:
+        """The same request with other fields, without any check."""
+        kind: Any = type(self)
+        copy = object.__new__(kind)
+        for name in _field_names(kind):
+            object.__setattr__(copy, name, fields[name] if name in fields else getattr(self, name))
+        return copy
+
+
+@cache
+def _field_names(kind: Any) -> tuple[str, ...]:
+    return tuple(spec.name for spec in dataclasses.fields(kind))

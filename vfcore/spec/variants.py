@@ -1,9 +1,9 @@
 """Named variants of the model: which equations, which posturing, and which constants differ from the paper's.
 
-``human`` and ``human_female`` change constants and the coupling only. The values of ``human`` come from the calibration
-study of vocalis.studies.norms (docs/human.md, section 4): they meet thirteen of fifteen published norms of men, and
-reproduce no shape or map of the paper worse than the paper's own constants do with the same coupling. ``human_female``
-is scaled from ``human`` and is not calibrated.
+``human`` and ``human_female`` change constants, the coupling and the stretch only. The values of ``human`` come from
+the calibration study of vocalis.studies.norms (docs/human.md, section 4): they meet thirteen of fifteen published norms
+of men, and reproduce no shape or map of the paper worse than the paper's own constants do with the same coupling.
+``human_female`` is scaled from ``human`` and is not calibrated.
 """
 
 from collections.abc import Mapping
@@ -25,13 +25,15 @@ class Change:
 class ModelVariant:
     """One variant: a posturing set, equations, and the constants of the larynx that differ from the paper's.
 
-    ``coupling``: the source–tract coupling it was made for, the default of a request with this variant.
+    ``coupling``, ``stretch``: source–tract coupling and membrane tension it was made for, the defaults of a request
+    with this variant.
     """
 
     posture_set: str
     coupling_gradient: str
     shear: str
     coupling: str
+    stretch: str
     help: str
     changes: tuple[Change, ...] = ()
 
@@ -106,21 +108,21 @@ def _scaled(human: tuple[Change, ...]) -> tuple[Change, ...]:
 
 VARIANTS = {
     "paper": ModelVariant(
-        "serry2026", "inferior_stiff", "kelvin_voigt", "one_way",
+        "serry2026", "inferior_stiff", "kelvin_voigt", "one_way", "linear",
         "The paper's numbers: Kelvin–Voigt membrane, coupling stiffest at the inferior edge.",
     ),
     "text_literal": ModelVariant(
-        "serry2026", "superior_stiff", "rotation", "one_way",
+        "serry2026", "superior_stiff", "rotation", "one_way", "linear",
         "The paper's text to the letter: rotation equation, coupling stiffest at the superior edge.",
     ),
     "human": ModelVariant(
-        "serry2026", "inferior_stiff", "kelvin_voigt", "two_way",
+        "serry2026", "inferior_stiff", "kelvin_voigt", "two_way", "finite",
         "Adult man: the paper's equations, ten constants set so that flow, pitch and level are of human size; the "
-        "paper's shapes and maps are kept. Default coupling: two_way.",
+        "paper's shapes and maps are kept. Defaults: coupling two_way, stretch finite.",
         _HUMAN,
     ),
     "human_female": ModelVariant(
-        "serry2026", "inferior_stiff", "kelvin_voigt", "two_way",
+        "serry2026", "inferior_stiff", "kelvin_voigt", "two_way", "finite",
         "Adult woman, an extrapolation: the human variant with folds and airways scaled by published ratios; "
         "posturing and tissue are a man's, and no measurement was fitted.",
         _scaled(_HUMAN),

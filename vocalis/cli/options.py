@@ -33,7 +33,7 @@ def _options(panel: str, **keys: str) -> tuple[RequestOption, ...]:
 _MUSCLES = _options(MUSCLES, **{key: f"activation.{key}" for key in ("ta", "ct", "lca", "ia", "pca")})
 _BREATH = _options(BREATH, pressure="subglottal_pressure_pa", pressure_rise="run.pressure_rise_s", vowel="vowel")
 _SETS = _options(MODEL, variant="model.variant", posture_set="model.posture_set")
-_COUPLING = _options(MODEL, coupling="model.coupling")
+_COUPLING = _options(MODEL, coupling="model.coupling", stretch="model.stretch")
 _EQUATIONS = _options(
     MODEL, coupling_gradient="model.coupling_gradient", shear="model.shear", convergence_angle="convergence_angle_rad"
 )
@@ -167,7 +167,8 @@ def _source_parameters():
                 "--set",
                 metavar="PATH=VALUE",
                 rich_help_panel=START,
-                help="any field of the request, repeatable: constants.K_col_pa_m=2e6, run.start=static",
+                help="any field of the request, repeatable: constants.K_col_pa_m=2e6, run.start=static; of one fold: "
+                "right.activation.ta=0.1; of the first lesion: lesions.0.kind=nodule, lesions.0.height_mm=0.6",
             ),
         ],
     )

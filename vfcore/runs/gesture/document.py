@@ -3,7 +3,6 @@
 import csv
 import io
 import os
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from vfcore.runs.gesture.gesture import gesture_to_dict
 from vfcore.runs.gesture.render import RATE_HZ, RenderedGesture
 from vfcore.runs.result import ARRAYS
 from vfcore.spec.fields import PAPER
-from vfcore.spec.schema import parameter_schema
+from vfcore.spec.paths import known_declaration
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 #: Unit and name of each contour that is not a parameter of the request.
@@ -32,14 +31,14 @@ CONTOURS = {
 
 def gesture_document(rendered: RenderedGesture) -> dict[str, Any]:
     """Contours, segments with their measures, and the gesture itself; strict JSON."""
-    quantities = _quantities()
     return without_gaps(
         {
             "kind": "gesture",
             "duration_s": len(rendered.waves["time_s"]) / RATE_HZ,
             "contours": {
-                name: {"unit": quantities[name][0], "label": quantities[name][1], "values": values.tolist()}
+                name: {"unit": unit, "label": label, "values": values.tolist()}
                 for name, values in rendered.contours.items()
+                for unit, label in (_quantity(name),)
             },
             "segments": [
                 {
@@ -89,9 +88,8 @@ def _content(rendered: RenderedGesture) -> tuple[dict[str, Variable], dict[str, 
         name: Variable(("time",), wave, {"units": ARRAYS[name].unit, "long_name": ARRAYS[name].label})
         for name, wave in rendered.waves.items()
     }
-    quantities = _quantities()
     for name, values in rendered.contours.items():
-        unit, label = quantities[name]
+        unit, label = _quantity(name)
         variables[f"contour_{name.replace('.', '_')}"] = Variable(
             ("block",), values, {"units": unit, "long_name": label}
         )
@@ -104,5 +102,9 @@ def _content(rendered: RenderedGesture) -> tuple[dict[str, Variable], dict[str, 
     return variables, attributes
 
 
-def _quantities() -> Mapping[str, tuple[str, str]]:
-    return CONTOURS | {row["key"]: (row["unit"], row["label"]) for row in parameter_schema() if row["unit"] is not None}
+def _quantity(name: str) -> tuple[str, str]:
+    """Unit and name of a contour: one of CONTOURS, or a number of the request."""
+    if name in CONTOURS:
+        return CONTOURS[name]
+    metadata = known_declaration(name).metadata
+    return metadata["unit"], metadata["label"]

@@ -1,8 +1,8 @@
 """A gesture: a request in which some numbers are functions of time, given by breakpoints.
 
-In a request document, a list of ``[time in s, value]`` pairs may replace any number except those of the run (duration,
-grid, step), which are fixed before the run starts. The vowel may be a list of ``[time in s, vowel]``: it changes at
-those times.
+In a request document, a list of ``[time in s, value]`` pairs may replace any number, also of one side or of a lesion,
+except those of the run (duration, grid, step), which are fixed before the run starts. The vowel may be a list of
+``[time in s, vowel]``: it changes at those times.
 """
 
 from collections.abc import Mapping
@@ -12,14 +12,15 @@ from typing import Any
 from vfcore.errors import ParameterError
 from vfcore.runs.gesture.track import Track, track_from_pairs
 from vfcore.spec.address import computation
-from vfcore.spec.paths import DECLARATIONS, NUMBERS, part_of
+from vfcore.spec.paths import LISTS, NUMBERS, NUMBERS_BEYOND, known_declaration, part_of
 from vfcore.spec.request import KIND as SIMULATION
-from vfcore.spec.request import document_of, flat, nested, patched, resolve
+from vfcore.spec.request import document_of, flat, merged, nested, patched, resolve
 from vfcore.spec.simulation import VOWELS, Simulation
 
 KIND = "gesture"
 #: Numbers that may move in time: all but those of the run, which are fixed before it starts.
-MOVABLE = tuple(path for path in NUMBERS if not path.startswith("run."))
+MOVABLE = (*(path for path in NUMBERS if not path.startswith("run.")), *NUMBERS_BEYOND)
+_MOVABLE = frozenset(MOVABLE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +38,7 @@ class Gesture:
     def __post_init__(self):
         seen = set()
         for track in self.tracks:
-            if track.path not in MOVABLE:
+            if track.path not in _MOVABLE:
                 raise ParameterError(track.path, "cannot move in time", "numbers of activation, breath and constants")
             if track.path in seen:
                 raise ParameterError(track.path, "moves twice", "one list of breakpoints")
@@ -76,9 +77,9 @@ def gesture_from_dict(document: Mapping[str, Any]) -> Gesture:
     patch = gesture_patch(document)
     tracks = []
     for path, value in patch.items():
-        if not isinstance(value, list) or not DECLARATIONS[path].is_number:
+        if path in LISTS or not isinstance(value, list) or not known_declaration(path).is_number:
             continue
-        if path not in MOVABLE:
+        if path not in _MOVABLE:
             raise ParameterError(path, "cannot move in time", "one number: it is fixed before the run starts")
         track = track_from_pairs(path, value)
         patch[path] = track.at(0.0)
@@ -110,7 +111,7 @@ def gesture_to_dict(gesture: Gesture) -> dict[str, Any]:
     if gesture.vowels:
         moving["vowel"] = [[time, vowel] for time, vowel in gesture.vowels]
     document = document_of(gesture.start)
-    return document | nested(flat(document) | moving)
+    return document | nested(merged(flat(document), moving))
 
 
 def gesture_address(gesture: Gesture) -> str:
@@ -123,7 +124,8 @@ def moved(request: Simulation, values: Mapping[str, float]) -> Simulation:
     to a part that is not given.
     """
     for path in values:
-        for part in DECLARATIONS[path].optional:
+        row = known_declaration(path)
+        for part in (*row.optional, *((row.part,) if row.part.partition(".")[0] in LISTS else ())):
             if part_of(request, part) is None:
                 raise ParameterError(path, f"moves a {part} that is not given", f"a request with a {part} of its own")
     return patched(request, values)

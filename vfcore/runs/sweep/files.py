@@ -20,7 +20,7 @@ from vfcore.io.result_document import json_text
 from vfcore.runs.sweep.document import sweep_to_dict
 from vfcore.runs.sweep.table import SweepTable
 from vfcore.spec.fields import PAPER
-from vfcore.spec.paths import DECLARATIONS
+from vfcore.spec.paths import known_declaration
 from vfcore.version import CODE_VERSION, MODEL_VERSION
 
 STATE, PROBLEM, POINT = "phonation_state", "problem", "point"
@@ -48,7 +48,7 @@ def variables(table: SweepTable) -> dict[str, Variable]:
         about = {"units": axis.unit, "long_name": axis.label, "parameters": json_text(list(axis.parameters))}
         found[axis.name] = Variable((axis.name,), np.array(axis.values, dtype=float), about)
     for path in () if sweep.axes else sorted({path for point in sweep.points for path in point}):
-        row = DECLARATIONS[path].metadata
+        row = known_declaration(path).metadata
         values = np.array([point.get(path, np.nan) for point in sweep.points])
         found[path.replace(".", "_")] = Variable(dims, values, {"units": row["unit"], "long_name": row["label"]})
     about = {"long_name": "phonation state; pending: not computed yet, failed: see problem"}
@@ -97,7 +97,7 @@ def csv_lines(table: SweepTable) -> Iterator[str]:
     paths = list(dict.fromkeys(path for axis in sweep.axes for path in axis.parameters)) or sorted(
         {path for point in sweep.points for path in point}
     )
-    heads = [f"{path} [{DECLARATIONS[path].metadata['unit']}]" for path in paths]
+    heads = [f"{path} [{known_declaration(path).metadata['unit']}]" for path in paths]
     scalars = [f"{key} [{quantity.unit}]" for key, quantity in table.columns.items()]
     states = table.states().ravel()
     yield _line([*heads, STATE, *scalars, PROBLEM])

@@ -9,7 +9,7 @@ import numpy as np
 
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.spec.address import Computation, computation, content_hash
-from vfcore.spec.paths import DECLARATIONS, one_form
+from vfcore.spec.paths import known_declaration, one_form
 from vfcore.spec.request import patched
 from vfcore.spec.simulation import Simulation
 
@@ -28,11 +28,11 @@ class Axis:
 
     @property
     def unit(self) -> str:
-        return DECLARATIONS[self.parameters[0]].metadata["unit"]
+        return known_declaration(self.parameters[0]).metadata["unit"]
 
     @property
     def label(self) -> str:
-        return " and ".join(DECLARATIONS[path].metadata["label"] for path in self.parameters)
+        return " and ".join(known_declaration(path).metadata["label"] for path in self.parameters)
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,9 @@ class Sweep:
         places = np.unravel_index(position, self.shape)
         values = zip(self.axes, places, strict=True)
         # Tied paths may be of different types: each has its own form.
-        return {path: one_form(DECLARATIONS[path], a.values[place]) for a, place in values for path in a.parameters}
+        return {
+            path: one_form(known_declaration(path), a.values[place]) for a, place in values for path in a.parameters
+        }
 
     def request(self, position: int) -> Simulation:
         """The request of one point; ParameterError where its numbers are inconsistent."""
