@@ -18,7 +18,7 @@ from vfcore.airways.subglottal import subglottal_tract
 from vfcore.airways.tract import Tract
 from vfcore.errors import ParameterError
 from vfcore.kernels import airways as kernel
-from vfcore.kernels.layout import LANES
+from vfcore.fold.form import LANES
 from vfcore.spec.simulation import DEFAULT_STEP_S, SECTION_TRAVEL_S, VOWELS
 
 RHO, C = 1.14, 350.0

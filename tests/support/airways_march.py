@@ -8,7 +8,7 @@ import numpy as np
 from vfcore.airways.coupled import Airways
 from vfcore.kernels import airways, airways_many
 from vfcore.kernels.jit import inlined, jit
-from vfcore.kernels.layout import LANES
+from vfcore.fold.form import LANES
 from vfcore.kernels.simd import load, store
 
 advance_airways, advance_airways_many = airways.advance_airways, airways_many.advance_airways_many

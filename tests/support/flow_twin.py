@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vfcore.kernels.flow import MIN_GAP_CHANGE_M
+from vfcore.fold.terms.air import MIN_GAP_CHANGE_M
 
 
 class Flow(NamedTuple):

@@ -14,12 +14,12 @@ from vfcore.fold.material import FIELDS, PATCH
 from vfcore.fold.terms import GLOTTIS_NUMBERS, WALL_NUMBERS
 from vfcore.fold.terms.beam import BANDS
 from vfcore.fold.terms.contact import in_series
+from vfcore.kernels.simd import aligned_zeros
 from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.larynx.tissue.prestrain import Constants
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.simulation import Simulation
 
-CACHE_LINE = 64  # bytes
 NO_PATCHES = np.empty((0, len(PATCH)))
 _COEFFICIENTS = 12  # those that the assembler takes
 _numbers = attrgetter(*Constants._fields)
@@ -187,7 +187,7 @@ def assemble(
         nx=nx,
         ny=ny,
         rotation=model.shear == "rotation",
-        finite=getattr(model, "stretch", "linear") == "finite",
+        finite=model.stretch == "finite",
         patched=len(patches) > 0,
         strain=strain,
         a_ta=request.activation.ta,
@@ -201,7 +201,7 @@ def assemble(
 
 def _patches(request: Simulation) -> np.ndarray:
     """The lesions of a request as the assembler takes them, (n, 8), vfcore.fold.material.PATCH."""
-    if not getattr(request, "lesions", ()):
+    if not request.lesions:
         return NO_PATCHES
     return np.array(
         [
@@ -229,10 +229,7 @@ def packed(constants: FoldConstants) -> Constants:
 
 def empty_buffer(layout: Layout) -> np.ndarray:
     """Zeros (layout.size,) aligned to a cache line, so that speed does not depend on where the buffer is allocated."""
-    size = np.dtype(layout.form.precision).itemsize
-    raw = np.zeros(layout.size * size + CACHE_LINE, np.uint8)
-    start = -raw.ctypes.data % CACHE_LINE
-    return raw[start : start + layout.size * size].view(layout.form.precision)
+    return aligned_zeros(layout.size, layout.form.precision)
 
 
 def new_buffer(glottis: Glottis, form: StepForm, time_step_s: float) -> np.ndarray:

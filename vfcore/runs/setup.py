@@ -48,14 +48,9 @@ def mean_posture(postures: Sequence[PostureSolution]) -> PostureSolution:
     if len(postures) == 1:
         return postures[0]
     left, right = postures
-    mean = {
-        spec.name: 0.5 * (getattr(left, spec.name) + getattr(right, spec.name))
-        for spec in fields(PostureSolution)
-        if spec.name not in ("residual", "converged")
-    }
-    return PostureSolution(
-        **mean, residual=max(left.residual, right.residual), converged=left.converged and right.converged
-    )
+    values = {spec.name: (getattr(left, spec.name), getattr(right, spec.name)) for spec in fields(PostureSolution)}
+    mean = {name: left if left is None or left == right else 0.5 * (left + right) for name, (left, right) in values.items()}
+    return PostureSolution(**mean)
 
 
 def posture_of(request: Simulation) -> PostureSolution:
