@@ -11,8 +11,8 @@ from vfcore.measures.catalogue import CATALOGUE
 from vfcore.measures.catalogue import measure_all as measure
 from vfcore.measures.signals import Signals
 from vfcore.runs.one import simulate
-from vfcore.runs.setup import static_shape
 from vfcore.runs.result import ARRAYS, SimulationResult
+from vfcore.runs.setup import static_shape
 from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.larynx import Larynx
 from vfcore.spec.request import patched, resolve

@@ -19,7 +19,7 @@ def check_cost(request: Simulation, limit: float, setting: str) -> None:
     node_seconds = [one.nx * one.ny * one.duration_s for one in runs]
     cost = sum(node_seconds) / run.step_s
     if cost <= limit:  # the steps can only be shorter than this, so a run above the limit needs no posture
-        steps = steps_of(request, [prepare(replace(request, run=one)).fold for one in runs])
+        steps = steps_of(request, [prepare(replace(request, run=one)).glottis for one in runs])
         cost = sum(work / step for work, step in zip(node_seconds, steps, strict=True))
     if cost > limit:
         raise ParameterError(

@@ -17,8 +17,8 @@ from vfcore.airways.resonances import closed_glottis_formants, input_impedance
 from vfcore.airways.subglottal import subglottal_tract
 from vfcore.airways.tract import Tract
 from vfcore.errors import ParameterError
-from vfcore.kernels import airways as kernel
 from vfcore.fold.form import LANES
+from vfcore.kernels import airways as kernel
 from vfcore.spec.simulation import DEFAULT_STEP_S, SECTION_TRAVEL_S, VOWELS
 
 RHO, C = 1.14, 350.0

@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.fold_harness import advance, product_and_twin, put_state
+from vfcore.fold.form import RECORD
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.terms.contact import contact_pressure, touching
-from vfcore.fold.form import RECORD
 
 K, C = 1e6, 100.0
 METRES, SPEEDS = st.floats(-3e-3, 3e-3), st.floats(-3, 3)

@@ -14,9 +14,9 @@ from tests.support.fold_harness import (
     product_and_twin,
     put_state,
 )
+from vfcore.fold.form import RECORD
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.statics import static_shape_of
-from vfcore.fold.form import RECORD
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 DAMPED = {"C_coup_pa_s_m": 40.0, "C_foun_pa_s": 5.0, "eta_m_pa_s": 2.0}

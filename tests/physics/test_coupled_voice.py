@@ -10,8 +10,8 @@ from tests.support.fold_harness import get_state, product_and_twin, with_constan
 from vfcore.airways.coupled import Airways, airways
 from vfcore.airways.tract import Tract
 from vfcore.fold.assemble import beam, membrane
-from vfcore.fold.march import TimeMarch
 from vfcore.fold.form import RECORD
+from vfcore.fold.march import TimeMarch
 from vfcore.runs.one import simulate
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S, SECTION_TRAVEL_S

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import advance, product_and_twin
-from vfcore.fold.march import TimeMarch
 from vfcore.fold.form import RECORD
+from vfcore.fold.march import TimeMarch
 
 AREA, FLOW, CONTACT = (RECORD.index(name) for name in ("glottal_area_m2", "glottal_flow_m3_s", "contact_area_m2"))
 

@@ -7,11 +7,11 @@ from hypothesis import strategies as st
 
 from tests.support.fold_harness import product_and_twin
 from vfcore.fold.assemble import membrane
-from vfcore.fold.march import TimeMarch
-from vfcore.fold.terms.air import closed_fraction, held_fraction
-from vfcore.fold.step import step_kernel
 from vfcore.fold.form import RECORD
+from vfcore.fold.march import TimeMarch
+from vfcore.fold.step import step_kernel
 from vfcore.fold.surface import surface_pressures
+from vfcore.fold.terms.air import closed_fraction, held_fraction
 
 NX, NY = 12, 6
 RHO, MU, ALPHA_S, P_S = 1.14, 1.8e-5, 1.3, 1000.0

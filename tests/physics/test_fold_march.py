@@ -10,8 +10,8 @@ import vfcore
 import vfcore.fold.march
 from tests.support.fold_harness import MODAL, advance, product_and_twin
 from vfcore.errors import Cancelled
-from vfcore.fold.march import TimeMarch
 from vfcore.fold.form import RECORD
+from vfcore.fold.march import TimeMarch
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Run, Simulation
 
 COLUMN = {name: k for k, name in enumerate(RECORD)}

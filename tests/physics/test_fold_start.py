@@ -6,9 +6,9 @@ import pytest
 import vfcore
 from tests.support.fold_harness import MODAL, advance, product_and_twin
 from vfcore.fold.assemble import beam, membrane
+from vfcore.fold.form import RECORD
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.statics import static_shape_of
-from vfcore.fold.form import RECORD
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
 
 AREA, FLOW, CONTACT = (RECORD.index(name) for name in ("glottal_area_m2", "glottal_flow_m3_s", "contact_area_m2"))

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from vfcore.fold import assemble
+from vfcore.fold.form import RECORD
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.step import step_kernel
-from vfcore.fold.form import RECORD
 from vfcore.runs.gesture.glide import STRETCH_STEPS, FoldSpec, GlidingFold
 from vfcore.runs.setup import fold_of, posture_of
 from vfcore.spec.simulation import DEFAULT_STEP_S, Activation, Run, Simulation

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from tests.support.fold_harness import MODAL, advance, get_state, product_and_twin, put_state
-from vfcore.fold.march import TimeMarch
 from vfcore.fold.form import RECORD
+from vfcore.fold.march import TimeMarch
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 OPEN_BACK = {"strain": -0.004, "a_ta": 0.4, "theta_g": 0.192}

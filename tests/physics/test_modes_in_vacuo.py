@@ -18,8 +18,8 @@ from tests.support.fold_harness import (
     product_and_twin,
     put_state,
 )
-from vfcore.fold.march import TimeMarch
 from vfcore.fold.form import RECORD
+from vfcore.fold.march import TimeMarch
 from vfcore.spec.simulation import PAPER_STEP_S
 
 SIZE_M = 1e-6

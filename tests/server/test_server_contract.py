@@ -11,8 +11,8 @@ from tests.server.live_server import SHORT
 from vfcore.airways.coupled import tract_of
 from vfcore.airways.resonances import closed_glottis_formants
 from vfcore.airways.tract import vowel_tract
-from vfcore.runs.setup import prepare
 from vfcore.runs.result import ARRAYS
+from vfcore.runs.setup import prepare
 from vfcore.spec.address import address
 from vfcore.spec.paths import NUMBERS
 from vfcore.spec.request import document_of, resolve, values_of

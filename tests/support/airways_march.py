@@ -6,9 +6,9 @@ from functools import lru_cache
 import numpy as np
 
 from vfcore.airways.coupled import Airways
+from vfcore.fold.form import LANES
 from vfcore.kernels import airways, airways_many
 from vfcore.kernels.jit import inlined, jit
-from vfcore.fold.form import LANES
 from vfcore.kernels.simd import load, store
 
 advance_airways, advance_airways_many = airways.advance_airways, airways_many.advance_airways_many

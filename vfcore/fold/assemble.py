@@ -158,7 +158,12 @@ class Glottis:
 
 
 def assemble(
-    request: Simulation, strain: float, c: Coefficients, theta_g: float, theta_0: float, medial_angle: float | None = None
+    request: Simulation,
+    strain: float,
+    c: Coefficients,
+    theta_g: float,
+    theta_0: float,
+    medial_angle: float | None = None,
 ) -> Fold:
     """The fold of a request at a given posture: ``strain`` ε̄, coefficients ``c``, and in rad the half-angle ``theta_g``
     clipped at 0, the rest angle ``theta_0``, and the angle of the medial plane, by default ``theta_g``.

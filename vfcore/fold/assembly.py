@@ -14,7 +14,6 @@ from vfcore.fold.terms.beam import beam_bands, beam_ends
 from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.jit import jit
 
-
 _STRETCH, _BEAM = WALL_NUMBERS.index("stretch_gain"), WALL_NUMBERS.index("beam_gain")
 
 
@@ -66,9 +65,7 @@ def wall_of(
     ny, nx = fields.shape[1:]
     lam, length, thickness, T, G_t, eta_t, rho_s, J, N_b, mu, M_c, rho_l = coefficients
     dx, dy = length / (nx - 1), thickness / (ny - 1)
-    fill_fields(
-        length, thickness, rho_s, G_t, eta_t, opening_tan, convergence_tan, inferior_stiff, c, patches, fields
-    )
+    fill_fields(length, thickness, rho_s, G_t, eta_t, opening_tan, convergence_tan, inferior_stiff, c, patches, fields)
     ends = beam_ends(dx, mu, lam, M_c, c.K_r_a_n_m, c.K_r_p_n_m, theta_g, theta_0)
     values = beam_bands(dx, N_b, mu, ends)
     for k in range(len(values)):
@@ -121,9 +118,21 @@ def place_wall(fields, bands, numbers, inv_rho_s, dt, o, at, work, buffer):
     if o.law_gain >= 0:
         m, b = _STRETCH, _BEAM
         for j in range(ny):
-            _put_law(buffer, o, j * P + at, numbers[m], numbers[m + 1], numbers[m + 2], numbers[m + 3], numbers[m + 4], numbers[m + 5])
+            _put_law(
+                buffer,
+                o,
+                j * P + at,
+                numbers[m],
+                numbers[m + 1],
+                numbers[m + 2],
+                numbers[m + 3],
+                numbers[m + 4],
+                numbers[m + 5],
+            )
         to = ny * P + at
-        _put_law(buffer, o, to, numbers[b], numbers[b + 1], numbers[b + 2], numbers[b + 3], numbers[b + 4], numbers[b + 5])
+        _put_law(
+            buffer, o, to, numbers[b], numbers[b + 1], numbers[b + 2], numbers[b + 3], numbers[b + 4], numbers[b + 5]
+        )
         _put_law(buffer, o, to + P, numbers[b], 0.0, 0.0, numbers[b + 6], numbers[b + 7], numbers[b + 8])
     quarter = 0.25 * dt * dt * inv_rho_l
     D, a, c = work[0], work[1], work[2]

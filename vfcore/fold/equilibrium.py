@@ -87,9 +87,7 @@ def fill_band(band, rhs, T, pull, sheared, dy, K_foun, fields, bands):
                     stiff += shear[j, i + 1]
                     band[at + j, 1] = -dy[0] * sheared * shear[j, i + 1]
                 tension = m * T[s, j]
-                band[at + j, 0] = (
-                    tension * (share[j, i] + share[j, i + 1]) + m * K[j, i + 1] + dy[0] * sheared * stiff
-                )
+                band[at + j, 0] = tension * (share[j, i] + share[j, i + 1]) + m * K[j, i + 1] + dy[0] * sheared * stiff
                 band[at + j, beam - at - j] += -m * K[j, i + 1]
                 if i < n - 1:
                     band[at + j, block] = -tension * share[j, i + 1]

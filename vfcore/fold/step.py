@@ -40,7 +40,7 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from vfcore.fold.displacement import displaced
-from vfcore.fold.form import RECORD, StepForm
+from vfcore.fold.form import StepForm
 from vfcore.fold.layout import LAW, layout_of
 from vfcore.fold.terms import air, contact, coupling, shear, tension
 from vfcore.kernels import airways, airways_many
@@ -160,9 +160,17 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
             dt, dy, alpha_s = load_param(buf, N_DT, P, W), load_param(buf, N_DY, P, W), load_param(buf, N_ALPHA, P, W)
             half_rho_a, twelve_mu_a = load_param(buf, N_RHO, P, W), load_param(buf, N_MU, P, W)
             K_col, C_col = load_param(buf, N_KCOL, P, W), load_param(buf, N_CCOL, P, W)
-            dy_w, inv_rho_l, T = load_param(buf, W_DY, P, W), load_param(buf, W_INV_RHO, P, W), load_param(buf, W_T, P, W)
+            dy_w, inv_rho_l, T = (
+                load_param(buf, W_DY, P, W),
+                load_param(buf, W_INV_RHO, P, W),
+                load_param(buf, W_T, P, W),
+            )
             G_t, eta_t, C_coup = load_param(buf, W_G, P, W), load_param(buf, W_ETA, P, W), load_param(buf, W_C, P, W)
-            K_foun, C_foun, inv_J = load_param(buf, W_KF, P, W), load_param(buf, W_CF, P, W), load_param(buf, W_INV_J, P, W)
+            K_foun, C_foun, inv_J = (
+                load_param(buf, W_KF, P, W),
+                load_param(buf, W_CF, P, W),
+                load_param(buf, W_INV_J, P, W),
+            )
             G_m, eta_m = load_param(buf, W_GROT, P, W), load_param(buf, W_EROT, P, W)
             six_mu_a_dy, four_over_dt2 = 0.5 * twelve_mu_a * dy, 4.0 / (dt * dt)
             turning = dt * inv_J * (1.0 / dy_w)
@@ -335,7 +343,9 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                                     depth = 0.5 * (depth + (load(buf, now + o_2, W) - load(buf, G + o_2, W)))
                                     speed = 0.5 * (load(buf, VS + o, W) + load(buf, VS + o_2, W))
                                     if patched:
-                                        p_col = contact_pressure(depth, speed, load(buf, KN + o, W), load(buf, CN + o, W))
+                                        p_col = contact_pressure(
+                                            depth, speed, load(buf, KN + o, W), load(buf, CN + o, W)
+                                        )
                                     else:
                                         p_col = contact_pressure(depth, speed, K_col, C_col)
                                     slice_largest = maximum(p_col, slice_largest)
@@ -347,7 +357,10 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                         for s in range(WALLS):
                             if two:
                                 p_s = s * WALL_PARAMS
-                                dy_w, inv_rho_l = load_param(buf, W_DY + p_s, P, W), load_param(buf, W_INV_RHO + p_s, P, W)
+                                dy_w, inv_rho_l = (
+                                    load_param(buf, W_DY + p_s, P, W),
+                                    load_param(buf, W_INV_RHO + p_s, P, W),
+                                )
                                 T, G_t = load_param(buf, W_T + p_s, P, W), load_param(buf, W_G + p_s, P, W)
                                 eta_t, C_coup = load_param(buf, W_ETA + p_s, P, W), load_param(buf, W_C + p_s, P, W)
                                 K_foun, C_foun = load_param(buf, W_KF + p_s, P, W), load_param(buf, W_CF + p_s, P, W)
@@ -381,7 +394,9 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                                         p_wall, upstream = select(on, p_wall, held), running
                                         depth = w - load(buf, G + o, W)
                                         if patched:
-                                            p_col = contact_pressure(depth, v, load(buf, KN + o, W), load(buf, CN + o, W))
+                                            p_col = contact_pressure(
+                                                depth, v, load(buf, KN + o, W), load(buf, CN + o, W)
+                                            )
                                         else:
                                             p_col = contact_pressure(depth, v, K_col, C_col)
                                         slice_largest = maximum(p_col, slice_largest)
@@ -443,11 +458,15 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                                 ligament = load_param(buf, TENSION // P + slot, P, W)
                                 muscle = load_param(buf, TENSION // P + slot + 1, P, W)
                                 law = W_ACTIVE + s * WALL_PARAMS
-                                pull = ligament + muscle + active_tension(
-                                    load_param(buf, STRETCH // P + slot, P, W),
-                                    load_param(buf, law, P, W),
-                                    load_param(buf, law + 1, P, W),
-                                    load_param(buf, law + 2, P, W),
+                                pull = (
+                                    ligament
+                                    + muscle
+                                    + active_tension(
+                                        load_param(buf, STRETCH // P + slot, P, W),
+                                        load_param(buf, law, P, W),
+                                        load_param(buf, law + 1, P, W),
+                                        load_param(buf, law + 2, P, W),
+                                    )
                                 )
                                 beam = beam + along_fold(
                                     load(buf, WB + at_x - P, W), w_b, load(buf, WB + at_x + P, W), pull

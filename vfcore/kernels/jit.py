@@ -20,7 +20,6 @@ from numba.extending import overload, register_jitable
 
 from vfcore.directories import data_directory
 
-
 #: The rooms of vfcore that hold compiled code.
 COMPILED_ROOMS = ("kernels", "fold", "larynx/tissue")
 

@@ -79,9 +79,7 @@ def _run(
     }
     cycle = march.cycle(first, last, PHASES)
     shapes |= {name: cycle.pop(name) for name in ("cycle_w_m", "cycle_wb_m")}
-    edges = [
-        (wall.medial_plane_m.T - w).min(axis=-1) for wall, w in zip(walls, shapes["cycle_w_m"], strict=True)
-    ]
+    edges = [(wall.medial_plane_m.T - w).min(axis=-1) for wall, w in zip(walls, shapes["cycle_w_m"], strict=True)]
     arrays |= {name: array[0] if len(walls) == 1 else np.array(array) for name, array in shapes.items()}
     arrays |= cycle | {"cycle_edges_m": np.array([edges[0], -edges[-1]])}
     return SimulationResult(

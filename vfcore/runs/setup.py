@@ -49,7 +49,9 @@ def mean_posture(postures: Sequence[PostureSolution]) -> PostureSolution:
         return postures[0]
     left, right = postures
     values = {spec.name: (getattr(left, spec.name), getattr(right, spec.name)) for spec in fields(PostureSolution)}
-    mean = {name: left if left is None or left == right else 0.5 * (left + right) for name, (left, right) in values.items()}
+    mean = {
+        name: left if left is None or left == right else 0.5 * (left + right) for name, (left, right) in values.items()
+    }
     return PostureSolution(**mean)
 
 

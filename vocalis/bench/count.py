@@ -56,8 +56,8 @@ def count_step(nx: int, ny: int) -> dict[str, int]:
 
 def _count(nx: int, ny: int) -> dict[str, int]:
     from vfcore.fold import assemble
-    from vfcore.fold.step import step_kernel
     from vfcore.fold.form import RECORD
+    from vfcore.fold.step import step_kernel
     from vfcore.runs.setup import prepare
     from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
 

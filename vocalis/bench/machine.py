@@ -6,8 +6,8 @@ width on some processors, and the fraction of the peak that the kernel reaches w
 
 import numpy as np
 
-from vfcore.kernels.jit import jit
 from vfcore.fold.form import LANES
+from vfcore.kernels.jit import jit
 from vfcore.kernels.simd import load, store
 
 W = LANES["float64"]

@@ -12,7 +12,7 @@ Stored energy ½ (Ñ_b w_b'² + μ̃_c w_b''²) along the beam and that of the e
 its own.
 """
 
-from vfcore.kernels.jit import formula, jit
+from vfcore.kernels.jit import formula
 
 #: What ``beam_bands`` returns, in its order.
 BANDS = ("at_0", "centre", "at_L", "first", "second", "load_0", "load_L")

@@ -88,8 +88,14 @@ def axial(e, A, B, lig_C, lig_z, lig_alpha, ta_C, ta_z, ta_alpha, active, active
 @jit
 def sums_of_eight(buf, at):
     """The sums of eight vectors of eight numbers stored from ``at`` on, as one vector."""
-    half_1 = paired(paired(load(buf, at, 8), load(buf, at + 8, 8), 4), paired(load(buf, at + 16, 8), load(buf, at + 24, 8), 4), 2)
-    half_2 = paired(paired(load(buf, at + 32, 8), load(buf, at + 40, 8), 4), paired(load(buf, at + 48, 8), load(buf, at + 56, 8), 4), 2)
+    half_1 = paired(
+        paired(load(buf, at, 8), load(buf, at + 8, 8), 4), paired(load(buf, at + 16, 8), load(buf, at + 24, 8), 4), 2
+    )
+    half_2 = paired(
+        paired(load(buf, at + 32, 8), load(buf, at + 40, 8), 4),
+        paired(load(buf, at + 48, 8), load(buf, at + 56, 8), 4),
+        2,
+    )
     return paired(half_1, half_2, 1)
 
 

@@ -65,7 +65,10 @@ class GlidingGlottis:
         march.air = old.air
         for side in range(wanted.walls):
             of = min(side, before.walls - 1)
-            for view, names in ((assemble.membranes, STATE + (ROTATION if wanted.rotation else ())), (assemble.beams, BEAM)):
+            for view, names in (
+                (assemble.membranes, STATE + (ROTATION if wanted.rotation else ())),
+                (assemble.beams, BEAM),
+            ):
                 for name in names:
                     view(march.buffer, march.layout, name, side)[:] = view(old.buffer, old.layout, name, of)
         assemble.beams(march.buffer, march.layout, "half_min")[:] = assemble.beams(old.buffer, old.layout, "half_min")

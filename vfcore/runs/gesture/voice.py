@@ -106,7 +106,9 @@ class Voice:
         spec = self._spec_of(target)
         tract = self._now_tract if _same_tract(target, self.request) else tract_of(target)
         record, lip, audio = self._buffers if self._played else self._new_buffers()
-        record = self._gliding.advance(spec, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)[:, : len(RECORD)]
+        record = self._gliding.advance(spec, target.subglottal_pressure_pa, BLOCK_STEPS, look_at, record)[
+            :, : len(RECORD)
+        ]
         flow = record[:, 1]
         steady = self._tract_filter.steady(tract)
         if steady is not None:
@@ -153,9 +155,7 @@ def _same_folds(a: Simulation, b: Simulation) -> bool:
 
 
 #: The parts of a request that the folds depend on.
-_OF_FOLDS = tuple(
-    spec.name for spec in fields(Simulation) if spec.name not in ("subglottal_pressure_pa", "vowel")
-)
+_OF_FOLDS = tuple(spec.name for spec in fields(Simulation) if spec.name not in ("subglottal_pressure_pa", "vowel"))
 
 
 def _same_posture(a: Simulation, b: Simulation) -> bool:

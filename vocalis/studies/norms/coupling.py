@@ -16,8 +16,8 @@ from vfcore.errors import DivergenceError, VocalisError
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import time_step_s
 from vfcore.runs.one import simulate
-from vfcore.runs.setup import prepare
 from vfcore.runs.result import SimulationResult
+from vfcore.runs.setup import prepare
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S, Simulation
 from vocalis.studies.norms.efforts import POSTURE
@@ -73,15 +73,15 @@ def effects(result: SimulationResult) -> dict[str, Any]:
 def fo_over_f1(pressure_pa: float = 800.0) -> list[dict[str, float]]:
     """f_o of the human voice in the posture of the norms, under uniform tubes of falling F1."""
     base = resolve({"model": {"variant": "human", "coupling": "two_way"}, "activation": asdict(POSTURE)})
-    fold = prepare(base).fold
+    glottis = prepare(base).glottis
     air = base.constants
     below = airways("a", air.rho_a_kg_m3, air.c_a_m_s, DEFAULT_STEP_S)
     section = below.supraglottal.section_length_m
     rows = []
     for f1 in TUBE_F1_HZ:
         tube = Tract((TUBE_AREA_M2,) * round(air.c_a_m_s / (4 * f1) / section), section)
-        march = TimeMarch(fold, DEFAULT_STEP_S, pressure_pa, 0.0, Airways(below.subglottal, tube, below.substeps))
-        march.start_flat()
+        march = TimeMarch(glottis, DEFAULT_STEP_S, pressure_pa, 0.0, Airways(below.subglottal, tube, below.substeps))
+        march.start(0, None)
         area = march.run(round(0.6 / DEFAULT_STEP_S))[:, 0]
         rows.append({"f1_hz": float(closed_glottis_formants(tube, 1).frequency_hz[0]), "fo_hz": _rate(area)})
     return rows
@@ -132,7 +132,7 @@ def state_of(request: Simulation) -> str:
 def halved(request: Simulation) -> tuple[float, float] | None:
     """Relative change of f_o and peak area at half the step; None unless both runs are periodic."""
     usual = simulate(request)
-    step = time_step_s(request.run, prepare(request).fold)
+    step = time_step_s(request.run, prepare(request).glottis)
     fine = simulate(replace(request, run=replace(request.run, time_step_s=step / 2)))
     if {usual.report.state, fine.report.state} != {"periodic"}:
         return None

@@ -48,7 +48,7 @@ def cells() -> Iterator[Cell]:
         for nx, ny in GRIDS:
             base = Simulation(activation=Activation(**activation))
             base = replace(base, run=replace(base.run, nx=nx, ny=ny))
-            step = time_step_s(base.run, prepare(base).fold)
+            step = time_step_s(base.run, prepare(base).glottis)
             for divisor in DIVISORS:
                 yield Cell(voice, replace(base, run=replace(base.run, time_step_s=step / divisor)))
 

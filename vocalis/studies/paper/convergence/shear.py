@@ -19,8 +19,8 @@ import numpy as np
 from vfcore.errors import VocalisError
 from vfcore.fold.assemble import Fold
 from vfcore.runs.one import simulate
-from vfcore.runs.setup import prepare
 from vfcore.runs.result import SimulationResult
+from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import SHEAR_FORMS, Model, Run, Simulation
 from vocalis.studies.paper.run.document import plain_number
 
@@ -65,7 +65,7 @@ def mode_rates(fold: Fold) -> np.ndarray:
     width = np.full(ny, dy)
     width[[0, -1]] /= 2
     spread = -slope.T * dy / width[:, None]  # divergence of a flux that is 0 beyond the edges
-    K = np.diag(c.membrane_tension_n_m * (np.pi / c.length_m) ** 2 + fold.K_coup_pa_m)
+    K = np.diag(c.membrane_tension_n_m * (np.pi / c.length_m) ** 2 + fold.field("coupling")[:, 0])
     C = k.C_coup_pa_s_m * np.eye(ny)
     K, C = K - c.membrane_shear_n_m * spread @ slope, C - c.membrane_shear_viscosity_n_s_m * spread @ slope
     mass = np.full(ny, c.membrane_density_kg_m2)

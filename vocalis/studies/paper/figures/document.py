@@ -15,8 +15,8 @@ from vfcore.errors import VocalisError
 from vfcore.io.result_document import posture_document, result_document
 from vfcore.measures.catalogue import MeasureReport
 from vfcore.runs.one import simulate
-from vfcore.runs.setup import prepare
 from vfcore.runs.result import ARRAYS, SimulationResult
+from vfcore.runs.setup import prepare
 from vfcore.spec.request import document_of
 from vfcore.spec.simulation import Simulation
 from vocalis.studies.paper.cases import CASES, Case
