@@ -5,8 +5,8 @@
 - ``fastmath``: the compiler may contract, reassociate, use reciprocals and ignore signed zeros. ``nnan`` and ``ninf``
   are excluded on purpose: with them ``isnan`` may be optimised away, and a diverging run would go unnoticed.
 - Cache: numba's own stamp covers one file only, and is stale when a function called from another file changes. So the
-  cache directory is named by a hash of the sources of all rooms with compiled code and of NUMBA_BOUNDSCHECK, which numba's key leaves out: a
-  checked run would otherwise load unchecked code.
+  cache directory is named by a hash of the sources of all rooms with compiled code and of NUMBA_BOUNDSCHECK, which
+  numba's key leaves out: a checked run would otherwise load unchecked code.
 """
 
 import hashlib
