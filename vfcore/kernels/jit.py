@@ -72,6 +72,15 @@ def formula(function: Function) -> Function:
     return register_jitable(forceinline=True, **ARITHMETIC)(function)
 
 
+def written_out(function: Function) -> Function:
+    """A plain Python function whose lines are copied into every compiled caller before the caller is compiled.
+
+    So a formula of one function can move to its own without changing the last bit of the result, which forced inlining
+    of compiled code does not warrant. The arithmetic is the caller's.
+    """
+    return register_jitable(inline="always")(function)
+
+
 def chosen_by_constants(function: Function, count: int) -> Callable[[Callable[..., Function]], Any]:
     """Decorator of a chooser: a compiled call of ``function`` runs what the chooser returns, forced inline.
 
