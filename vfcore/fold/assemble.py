@@ -1,9 +1,8 @@
 """Assembly of a glottis: from postures and coefficients to its walls, and to the buffer that the step works on."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import astuple, dataclass
 from functools import cached_property, lru_cache
-from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -23,7 +22,7 @@ from vfcore.spec.simulation import Simulation
 
 NO_PATCHES = np.empty((0, len(PATCH)))
 _COEFFICIENTS = 12  # those that the assembler takes
-_numbers: Callable[[FoldConstants], tuple[float, ...]] = attrgetter(*Constants._fields)
+_NAMES: tuple[str, ...] = Constants._fields
 
 
 @dataclass(frozen=True, eq=False)
@@ -230,7 +229,7 @@ def _patches(request: Simulation) -> np.ndarray:
 @lru_cache(maxsize=64)
 def packed(constants: FoldConstants) -> Any:
     """The constants in the form that the compiled assembler takes."""
-    return Constants(*map(float, _numbers(constants)))
+    return Constants(*(float(getattr(constants, name)) for name in _NAMES))
 
 
 def empty_buffer(layout: Layout) -> np.ndarray:
