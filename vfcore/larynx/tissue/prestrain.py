@@ -12,15 +12,14 @@ tests/support/coefficient_twin.py. Not validated against measured tissue.
 """
 
 import math
-from collections import namedtuple
 from dataclasses import fields
-from typing import Any
+from typing import Any, NamedTuple
 
 from vfcore.fold.constants import FoldConstants
 from vfcore.kernels.jit import formula
 
 #: The constants of a fold as plain floats: what compiled code takes in the place of FoldConstants, with the same names.
-Constants: Any = namedtuple("Constants", [spec.name for spec in fields(FoldConstants)])
+Constants: Any = NamedTuple("Constants", [(spec.name, float) for spec in fields(FoldConstants)])  # type: ignore[misc]  # mypy wants a literal list
 
 
 @formula
