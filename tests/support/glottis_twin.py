@@ -90,7 +90,7 @@ class GlottisTwin:
         return self.air.flow(self.half_gap(states), P_s)
 
     def mean_pressure(self, h, air: Flow, P_s: float, narrowest_before, dt: float):
-        """p_aero averaged over the step (AirTwin.mean_pressure), Pa, (nx, ny); ``air`` flows through the half gap ``h``.
+        """p_aero averaged over the step (AirTwin.mean_pressure), Pa, (nx, ny); ``air``: the flow through ``h``.
 
         The lung pressure moves each wall by P_s dt²/ρ_s in one step; ρ_s is that of the fold without patches.
         """
