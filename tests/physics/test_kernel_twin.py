@@ -42,8 +42,8 @@ def closing_state(twin):
     return twin.zero_state()._replace(w_m=w_m, w_b=0.5 * w_m[:, 0], v_m=0.2 * wave)
 
 
-def compare(fold, twin, start, pressure_pa, steps, dt=DEFAULT_STEP_S):
-    march = TimeMarch(fold, dt, pressure_pa)
+def compare(glottis, twin, start, pressure_pa, steps, dt=DEFAULT_STEP_S):
+    march = TimeMarch(glottis, dt, pressure_pa)
     put_state(march, start)
     record = advance(march, steps)
     reference = twin.run(start, pressure_pa, dt, steps, keep_every=1)
@@ -73,8 +73,8 @@ def same_record(record, reference, twin):
 
 @pytest.mark.parametrize("case", CASES, ids=name_of)
 def test_twenty_milliseconds_of_voice_equal_the_twin(case):
-    fold, twin = product_and_twin(**case)
-    record = compare(fold, twin, twin.initial_state(), 1000.0, 700)
+    glottis, twin = product_and_twin(**case)
+    record = compare(glottis, twin, twin.initial_state(), 1000.0, 700)
     assert record[:, RECORD.index("glottal_flow_m3_s")].max() > 1e-4
     assert record[:, RECORD.index("contact_pressure_max_pa")].max() > 100 or case["theta_g"] > 0.1
 
@@ -83,18 +83,18 @@ def test_twenty_milliseconds_of_voice_equal_the_twin(case):
 @pytest.mark.parametrize(("ny", "shear"), [(6, "kelvin_voigt"), (7, "kelvin_voigt"), (6, "rotation")])
 def test_a_few_steps_through_contact_and_flow_equal_the_twin(ny, shear):
     """An even and an odd number of rows, because the gaps are computed in pairs of rows."""
-    fold, twin = product_and_twin(**MODAL, nx=12, ny=ny, shear=shear)
-    record = compare(fold, twin, closing_state(twin), 800.0, 40)
+    glottis, twin = product_and_twin(**MODAL, nx=12, ny=ny, shear=shear)
+    record = compare(glottis, twin, closing_state(twin), 800.0, 40)
     assert record[:, RECORD.index("contact_pressure_max_pa")].max() > 100
     assert record[:, RECORD.index("glottal_flow_m3_s")].max() > 1e-5
 
 
 @pytest.mark.kernel
 def test_a_sparse_record_of_a_short_step_is_the_same_motion():
-    fold, twin = product_and_twin(**MODAL, nx=12, ny=6)
+    glottis, twin = product_and_twin(**MODAL, nx=12, ny=6)
     start, dt = closing_state(twin), DEFAULT_STEP_S / 4
     reference = twin.run(start, 800.0, dt, 40)
-    march = TimeMarch(fold, dt, 800.0)
+    march = TimeMarch(glottis, dt, 800.0)
     put_state(march, start)
     record = march.run(10)
     assert march.record_every == 4
@@ -104,10 +104,10 @@ def test_a_sparse_record_of_a_short_step_is_the_same_motion():
 
 
 def test_a_rising_lung_pressure_equals_the_twin_under_the_same_ramp():
-    fold, twin = product_and_twin(**MODAL)
+    glottis, twin = product_and_twin(**MODAL)
     rise = 0.010
-    march = TimeMarch(fold, DEFAULT_STEP_S, 1000.0, rise)
-    march.start_flat()
+    march = TimeMarch(glottis, DEFAULT_STEP_S, 1000.0, rise)
+    march.start(0, None)
     advance(march, 700)
     reference = twin.run(twin.initial_state(), lambda t: 1000.0 * min(t / rise, 1.0), DEFAULT_STEP_S, 700)
     assert np.abs(get_state(march).w_m - reference.final.w_m).max() < 1e-12
