@@ -15,6 +15,7 @@ from tests.support.fold_harness import MODAL, fields_of, fold_of, membrane
 from tests.support.wall_twin import WallTwin
 from vfcore.airways.coupled import airways
 from vfcore.fold.assemble import Fold, Glottis
+from vfcore.fold.constants import FoldConstants
 from vfcore.fold.form import RECORD
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.march_many import OF_EACH, MarchInput, march_many
@@ -23,10 +24,12 @@ from vfcore.runs.setup import prepare
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
-P_S = 1200.0
+P_S = 800.0
 GRID = {"nx": 12, "ny": 6}
-WALL = WallTwin(**MODAL, **GRID)
-LEFT, RIGHT = WALL, WallTwin(0.09, 0.1, 0.05, **GRID)
+#: With airways the paper's dampers let the displacement pass its bound.
+DAMPED = FoldConstants(C_coup_pa_s_m=40.0)
+WALL = WallTwin(**MODAL, **GRID, constants=DAMPED)
+LEFT, RIGHT = WALL, WallTwin(0.09, 0.1, 0.05, **GRID, constants=DAMPED)
 STRETCHES = ("linear", "finite")
 LESION = {"kind": "custom", "x": 0.5, "y": 0.5, "length_mm": 10, "width_mm": 4}
 COLUMN = {name: k for k, name in enumerate(RECORD)}
@@ -144,9 +147,9 @@ def test_fields_of_the_twin_are_those_of_the_product():
 
 @cache
 def several() -> list[Glottis]:
-    """Ten glottises of each kind that a batch may hold together or apart."""
+    """Nine glottises of each kind that a batch may hold together or apart."""
     found = []
-    for k in range(10):
+    for k in range(9):
         wall = replace(WALL, strain=0.03 + 0.01 * k)
         found.append(Glottis((fold_of(wall),)))
         found.append(Glottis((fold_of(replace(wall, stretch="finite")),)))
@@ -199,7 +202,7 @@ def test_single_precision_is_the_same_voice_to_a_hundredth_through_onset(coupled
     "patch",
     [
         {"subglottal_pressure_pa": 700, "model": {"variant": "human"}},
-        {"right": {"activation": {"ta": 0.1}}, "model": {"variant": "human"}},
+        {"right": {"activation": {"ta": 0.35}}, "model": {"variant": "human"}},
         {"lesions": [LESION | {"stiffness_ratio": 2, "side": "left"}], "model": {"coupling": "two_way"}},
     ],
     ids=["human", "two sides", "lesion"],
@@ -208,6 +211,6 @@ def test_points_with_airways_are_the_runs_of_their_requests(patch):
     requests = [resolve(patch | {"activation": {"ct": ct}, "run": {"duration_s": 0.4}}) for ct in (0.1, 0.3)]
     for request, point in zip(requests, run_points(requests, precision="float64"), strict=True):
         alone = vfcore.simulate(request).report
-        assert point.report.state == alone.state
+        assert point.report.state == alone.state == "periodic"
         fo = alone.measures["fo_hz"].value
         assert fo is not None and point.report.measures["fo_hz"].value == pytest.approx(fo, rel=1e-4)
