@@ -252,6 +252,9 @@ def test_sides_and_lesions_are_resolved_as_the_core_resolves_them(client, varian
 
 def test_every_body_takes_sides_and_lesions():
     wanted = resolve(TWO_FOLDS)
+    objects = JobBody.model_json_schema()["$defs"]
+    assert set(objects["SideBody"]["properties"]) == {"activation", "constants", "convergence_angle_rad", "posture"}
+    assert "K_col_pa_m" in (own := objects["ConstantsSideBody"]["properties"]) and "rho_a_kg_m3" not in own
     assert simulation_of(JobBody.model_validate(TWO_FOLDS)) == wanted
     axis = {"parameter": "right.activation.ta", "values": [0.1, 0.2]}
     sweep = sweep_of(SweepBody.model_validate({"kind": "sweep", "base": TWO_FOLDS, "axes": [axis]}))
