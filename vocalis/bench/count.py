@@ -35,9 +35,8 @@ class Counted(np.ndarray):
         return np.asarray(result).view(Counted)
 
     def __array_function__(self, function, types, inputs, options):
-        """Selections (``np.where``) move numbers and are not counted."""
-        plain = [np.asarray(value) if isinstance(value, Counted) else value for value in inputs]
-        return np.asarray(function(*plain, **options)).view(Counted)
+        """Selections (``np.where``) and joins (``np.concatenate``) move numbers and are not counted."""
+        return np.asarray(function(*map(_plain, inputs), **options)).view(Counted)
 
     def __getitem__(self, index):
         value = np.asarray(super().__getitem__(index)).view(Counted)
@@ -47,6 +46,13 @@ class Counted(np.ndarray):
     def __setitem__(self, index, value):
         Counted.tally["accesses"] += np.asarray(value).size
         np.asarray(self)[index] = value
+
+
+def _plain(value):
+    """A value, or every value of a list, as a plain array if it is counted."""
+    if isinstance(value, list):
+        return [_plain(one) for one in value]
+    return np.asarray(value) if isinstance(value, Counted) else value
 
 
 def count_step(nx: int, ny: int, *options: str) -> dict[str, int]:
