@@ -150,8 +150,8 @@ def steps() -> str:
     rows = []
     for nx, ny in GRIDS:
         run = Run(nx=nx, ny=ny)
-        fold = prepare(Simulation(run=run)).fold
-        limit, chosen = longest_stable_step_s(fold), time_step_s(run, fold)
+        glottis = prepare(Simulation(run=run)).glottis
+        limit, chosen = longest_stable_step_s(glottis), time_step_s(run, glottis)
         rows.append((f"{nx} × {ny}", f"{limit * 1e6:.2f}", f"{chosen * 1e6:.3f}", f"1/{DEFAULT_STEP_S / chosen:.0f}"))
     return table(("grid, $N_x × N_y$", "gate, µs", "step chosen, µs", "of the default"), rows)
 
