@@ -6,6 +6,7 @@
 'periodic'
 """
 
+from vfcore.fold.constants import FoldConstants
 from vfcore.larynx.posture.equilibrium import solve_posture
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.measures.catalogue import measure_all as measure
@@ -13,7 +14,6 @@ from vfcore.measures.signals import Signals
 from vfcore.runs.one import simulate
 from vfcore.runs.result import ARRAYS, SimulationResult
 from vfcore.runs.setup import static_shape
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.larynx import Larynx
 from vfcore.spec.request import patched, resolve
 from vfcore.spec.simulation import Activation, Model, PostureOverride, Run, Simulation

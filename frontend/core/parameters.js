@@ -5,7 +5,8 @@ const OF_MODEL = /^model\./;
 const SET_BY_THE_PAGE = new Set(["run.duration_s"]);
 
 /**
- * @returns {{parameters: Map, presets: Array, vowels: Array, variants: Array}} parameters by dotted path, with `name`,
+ * @returns {{parameters: Map, presets: Array, vowels: Array, variants: Array, sides: string[], lists: Array}}
+ * parameters by dotted path, with `name`,
  * `short` (abbreviation or symbol), `decimals` and `options` (also of a boolean) filled in. Values of an optional part
  * may be null: not given.
  */
@@ -23,7 +24,25 @@ export function readSchema(document) {
       decimals: decimalsOf(row.step),
     });
   }
-  return { parameters, presets: document.presets, vowels: document.vowels, variants: document.variants };
+  const { presets, vowels, variants, sides, lists } = document;
+  return { parameters, presets, vowels, variants, sides, lists };
+}
+
+/**
+ * The row of any path of a patch: its own, that of the same value on one side (right.activation.ta), or that of a value
+ * of an object in a list (lesions.0.height_mm). Null for what no request has.
+ */
+export function rowAt(schema, path) {
+  const [first, ...rest] = path.split(".");
+  if (schema.sides.includes(first)) {
+    const row = schema.parameters.get(rest.join("."));
+    return row?.per_side ? row : null;
+  }
+  const list = schema.lists.find((one) => one.key === first);
+  if (!list) return schema.parameters.get(path) ?? null;
+  const [position, name, ...more] = rest;
+  const isPlace = /^(0|[1-9]\d*)$/.test(position) && Number(position) < list.at_most && !more.length;
+  return (isPlace && list.parameters.find((row) => row.key === name)) || null;
 }
 
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
@@ -68,11 +87,11 @@ export const patchText = (patch, except = []) =>
       .map((path) => [path, patch[path]]),
   );
 
-/** The entries of a patch whose paths are parameters of the page. */
+/** The entries of a patch whose paths are parameters of the page, sides and lists included. */
 export const known = (schema, patch) =>
-  Object.fromEntries(Object.entries(patch).filter(([path]) => schema.parameters.has(path)));
+  Object.fromEntries(Object.entries(patch).filter(([path]) => rowAt(schema, path)));
 
-/** {"activation.ta": 0.5} → {"activation": {"ta": 0.5}} */
+/** {"activation.ta": 0.5} → {"activation": {"ta": 0.5}}; objects of a list are by position, {"lesions": {"0": {…}}} */
 export function nest(flat) {
   const document = {};
   for (const [path, value] of Object.entries(flat)) {
@@ -114,7 +133,7 @@ export function postureRequest(patch) {
  * of optional parts. A preset also takes back every optional part, which could replace the muscles.
  */
 export function keptByPresets(schema, patch) {
-  const groupOf = (path) => schema.parameters.get(path)?.group;
+  const groupOf = (path) => rowAt(schema, path)?.group;
   const ofPresets = schema.presets.flatMap((preset) => Object.keys(entriesOf(preset)).map(groupOf));
   const ofParts = [...schema.parameters.values()].filter((row) => row.optional_part).map((row) => row.group);
   const set = new Set([...ofPresets, ...ofParts]);

@@ -129,8 +129,15 @@ def _beyond(suffix: str = "Body", moving: bool = False) -> dict[str, tuple[Any, 
         }
         item = create_model(f"{of.kind.__name__}{suffix}", __config__=STRICT, **values)
         about: Any = Field(default_factory=list, max_length=of.at_most, title=of.label, description=of.help)
-        fields[name] = (list[item], about)  # type: ignore[valid-type]
+        fields[name] = (Annotated[list[item], BeforeValidator(_in_order)], about)  # type: ignore[valid-type]
     return fields
+
+
+def _in_order(value: Any) -> Any:
+    """Objects by position, {"0": {…}, "1": {…}}, as a list: so the page has them, whose entries are paths."""
+    if not isinstance(value, dict) or value.keys() != {str(k) for k in range(len(value))}:
+        return value
+    return [value[str(k)] for k in range(len(value))]
 
 
 def _part_fields(objects: dict[str, type[BaseModel]], inside: str = "") -> dict[str, tuple[Any, Any]]:

@@ -9,7 +9,8 @@ import pytest
 
 from tests.browser.conftest import DESKTOP, PHONE
 from vfcore.spec.address import address
-from vfcore.spec.paths import DECLARATIONS, LARYNX
+from vfcore.spec.declarations import LARYNX
+from vfcore.spec.paths import DECLARATIONS, LISTS, NUMBERS_BEYOND, known_declaration
 from vfcore.spec.posture_sets import POSTURE_SETS
 from vfcore.spec.request import resolve, values_of
 from vfcore.spec.variants import VARIANTS
@@ -104,9 +105,10 @@ def in_force(variant: str, posture_set: str | None) -> dict[str, Any]:
 
 def drawn(rng: random.Random, path: str) -> Any:
     """A value of its range; of a constant mostly that of some variant and set."""
-    row = DECLARATIONS[path]
-    if row.part == LARYNX and rng.random() < 0.8:
-        return in_force(rng.choice(list(VARIANTS)), rng.choice(list(POSTURE_SETS)))[path]
+    row = known_declaration(path)
+    depends = row.name.endswith(("epsilon_1", "epsilon_2", "x_CAJ_m", "process_x_m"))  # on another one of the same set
+    if row.part.endswith(LARYNX) and (depends or rng.random() < 0.8):
+        return in_force(rng.choice(list(VARIANTS)), rng.choice(list(POSTURE_SETS)))[f"{LARYNX}.{row.name}"]
     if row.metadata["type"] == "boolean":
         return rng.random() < 0.5
     if row.metadata["type"] == "choice":
@@ -120,12 +122,14 @@ def drawn(rng: random.Random, path: str) -> Any:
 def cases_of(rng: random.Random, each: int) -> list[dict[str, Any]]:
     """For every variant and posture set: entries, some of which are reset, and the numbers of a cell."""
     paths = sorted(DECLARATIONS.keys() - NOT_DRAWN)
+    sides = [path for path in NUMBERS_BEYOND if path.startswith(("left.", "right."))]
+    lesion = [f"lesions.0.{name}" for name in LISTS["lesions"].rows]
     changed = sorted({f"{LARYNX}.{name}" for variant in VARIANTS.values() for name in variant.overrides})
     cases = []
     for variant in VARIANTS:
         for posture_set in (None, *POSTURE_SETS):
             for _ in range(each):
-                chosen = rng.sample(paths, 6) + rng.sample(changed, 4)
+                chosen = rng.sample(paths, 6) + rng.sample(changed, 4) + rng.sample(sides, 3) + rng.sample(lesion, 2)
                 up, right = rng.sample(changed, 1) + ["activation.ct"]
                 cases.append(
                     {

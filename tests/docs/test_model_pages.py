@@ -7,11 +7,11 @@ import pytest
 
 from tests.support.model_runs import RUNS, differences
 from tests.support.model_tables import DOCS, PAGES, TABLES, block, page_of
+from vfcore.fold.constants import FoldConstants
 from vfcore.larynx.posture.solution import PostureSolution
 from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.result import ARRAYS
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.posture_sets import constant_names
 from vfcore.spec.simulation import Activation, Model, PostureOverride, Run, Simulation
 from vocalis.studies.paper.report.ship import pages as pages_of_the_paper_study

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from tests.support.coefficient_twin import coefficients as twin_coefficients
 from vfcore.errors import ParameterError
+from vfcore.fold.constants import FoldConstants
 from vfcore.larynx.tissue.coefficients import coefficients
 from vfcore.larynx.tissue.prestrain import active, passive
-from vfcore.spec.fold_constants import FoldConstants
 
 CONSTANTS = FoldConstants()
 

@@ -11,7 +11,7 @@ from tests.support.glottis_twin import GlottisTwin
 from tests.support.marches import MARCHES
 from tests.support.patched_twin import patched
 from tests.support.wall_twin import State, WallTwin
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.fold.constants import FoldConstants
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 NO_DAMPERS = FoldConstants(C_coup_pa_s_m=0.0, C_foun_pa_s=0.0, C_col_pa_s_m=0.0, eta_m_pa_s=0.0)

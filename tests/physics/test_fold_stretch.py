@@ -13,7 +13,7 @@ from tests.support.fold_twin import FoldTwin
 from tests.support.glottis_twin import GlottisTwin
 from tests.support.patched_twin import patched
 from tests.support.wall_twin import WallTwin
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.fold.constants import FoldConstants
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 MODAL = WallTwin(0.057, 0.4, 0.0, stretch="finite")

@@ -7,7 +7,7 @@ import pytest
 
 from tests.support.coefficient_twin import coefficients
 from tests.support.fold_twin import FoldTwin
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.fold.constants import FoldConstants
 
 MODAL = {"strain": 0.057, "a_ta": 0.4, "theta_g": 0.0}
 P_S = 1000.0

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from vfcore.fold.constants import FoldConstants
 from vfcore.larynx.tissue.beam import beam_operator
 from vfcore.larynx.tissue.coefficients import coefficients
-from vfcore.spec.fold_constants import FoldConstants
 
 POSED = coefficients(0.057, 0.4, FoldConstants())
 CLAMPED_ROOTS = (4.730041, 7.853205, 10.995608)  # cos βL cosh βL = 1

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 import vfcore
 from vfcore.errors import VocalisError
+from vfcore.fold.constants import FoldConstants
 from vfcore.fold.step import LARGEST_DISPLACEMENT_M
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.posture_sets import POSTURE_SETS
 from vfcore.spec.simulation import (

@@ -7,7 +7,7 @@ complex-step differentiation of the stress, not from an analytical derivative.
 import cmath
 from dataclasses import dataclass
 
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.fold.constants import FoldConstants
 
 COMPLEX_STEP = 1e-30
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from tests.support.fold_twin import FoldTwin, State
 from vfcore.fold.assemble import Fold, assemble, beam, membrane
+from vfcore.fold.constants import FoldConstants
 from vfcore.fold.form import RECORD
 from vfcore.fold.march import TimeMarch
 from vfcore.larynx.tissue.coefficients import coefficients
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.larynx import PAPER_LARYNX
 from vfcore.spec.simulation import Model, Run, Simulation
 

@@ -14,10 +14,10 @@ from importlib import import_module
 from pathlib import Path
 
 from tests.support.model_numbers import NUMBERS
+from vfcore.fold.constants import FoldConstants
 from vfcore.fold.stability import longest_stable_step_s, time_step_s
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.setup import prepare
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.joints import JointConstants
 from vfcore.spec.muscles import Muscle
 from vfcore.spec.posture_sets import POSTURE_SETS, posture_set

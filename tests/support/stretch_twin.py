@@ -17,7 +17,7 @@ Strains may be arrays. SI units.
 import numpy as np
 
 from tests.support.coefficient_twin import TwinCoefficients
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.fold.constants import FoldConstants
 
 
 def _numbers(constants: FoldConstants, layer: str):

@@ -18,7 +18,7 @@ from scipy.linalg import eigh
 
 from tests.support import stretch_twin
 from tests.support.coefficient_twin import coefficients
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.fold.constants import FoldConstants
 
 
 class State(NamedTuple):

@@ -6,8 +6,8 @@ import math
 import pytest
 
 from vfcore.errors import ParameterError, VocalisError
+from vfcore.fold.constants import FoldConstants
 from vfcore.spec.fields import check_number
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.posture_sets import POSTURE_SETS
 from vfcore.spec.simulation import (
     COUPLING_GRADIENTS,

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from vfcore.errors import ParameterError
+from vfcore.fold.constants import FoldConstants
 from vfcore.kernels import posture_equations as kernel
 from vfcore.larynx.posture.equilibrium import solve_posture_batch
 from vfcore.larynx.posture.packing import MUSCLE_ORDER, load_scale, pack
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.joints import JointConstants
 from vfcore.spec.muscles import Muscle
 from vfcore.spec.posture_sets import POSTURE_SETS, constant_names, posture_set

@@ -4,8 +4,8 @@ import dataclasses
 
 import pytest
 
+from vfcore.fold.constants import FoldConstants
 from vfcore.io.result_document import json_text
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
 from vfcore.spec.presets import PRESETS
 from vfcore.spec.request import document_of, resolve

@@ -18,9 +18,9 @@ from math import pi
 import numpy as np
 
 from vfcore.airways.tract import Tract
+from vfcore.fold.constants import FoldConstants
 from vfcore.spec.area_functions import SECTION_LENGTH_M, SECTION_LIMITS_M
 from vfcore.spec.fields import check_number
-from vfcore.spec.fold_constants import FoldConstants
 
 SUBGLOTTAL_ATTENUATION = 11.2e-3
 _AIR = FoldConstants()

@@ -23,10 +23,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vfcore.errors import ParameterError
+from vfcore.fold.constants import FoldConstants
 from vfcore.kernels.tract import FINITE, advance_tract
 from vfcore.spec.area_functions import SECTION_LENGTH_M, SECTION_LIMITS_M, area_function, resampled, scaled
 from vfcore.spec.fields import check_number
-from vfcore.spec.fold_constants import FoldConstants
 
 ATTENUATION = 3.8e-3  # dimensionless; Titze (2006), section 6.4, as used with Alzamendi et al. (2022)
 RADIATIONS = ("piston", "open", "lungs")

@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import astuple, dataclass
 from functools import cached_property, lru_cache
-from operator import attrgetter
+from typing import Any
 
 import numpy as np
 
 from vfcore.fold.assembly import Offsets, place_glottis, place_wall, wall_of
+from vfcore.fold.constants import FoldConstants
 from vfcore.fold.form import StepForm
 from vfcore.fold.layout import Layout, layout_of
 from vfcore.fold.material import FIELDS, PATCH
@@ -17,12 +18,11 @@ from vfcore.fold.terms.contact import in_series
 from vfcore.kernels.simd import aligned_zeros
 from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.larynx.tissue.prestrain import Constants
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.simulation import Simulation
 
 NO_PATCHES = np.empty((0, len(PATCH)))
 _COEFFICIENTS = 12  # those that the assembler takes
-_numbers = attrgetter(*Constants._fields)
+_NAMES: tuple[str, ...] = Constants._fields
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,9 +227,9 @@ def _patches(request: Simulation) -> np.ndarray:
 
 
 @lru_cache(maxsize=64)
-def packed(constants: FoldConstants) -> Constants:
+def packed(constants: FoldConstants) -> Any:
     """The constants in the form that the compiled assembler takes."""
-    return Constants(*map(float, _numbers(constants)))
+    return Constants(*(float(getattr(constants, name)) for name in _NAMES))
 
 
 def empty_buffer(layout: Layout) -> np.ndarray:

@@ -9,7 +9,7 @@ Sizes and offsets are arguments, so that a new grid compiles nothing. Second ord
 from typing import NamedTuple
 
 from vfcore.fold.material import fill_fields
-from vfcore.fold.terms import WALL_NUMBERS, shear, tension
+from vfcore.fold.terms import WALL_NUMBERS, coupling, shear, tension
 from vfcore.fold.terms.beam import beam_bands, beam_ends
 from vfcore.kernels.banded import factor, invert
 from vfcore.kernels.jit import jit
@@ -59,8 +59,9 @@ def wall_of(
 ):  # fmt: skip
     """Fill ``fields`` (9, ny, nx), ``bands`` (7,) and ``numbers`` (len(WALL_NUMBERS),) of a wall.
 
-    ``coefficients``: the first twelve fields of vfcore.larynx.tissue.coefficients.Coefficients. ``theta_g`` is the half-angle in the moment condition at the
-    front, ``theta_0`` the rest angle, rad. ``c``: a vfcore.larynx.tissue.prestrain.Constants. ``patches`` (n, 8).
+    ``coefficients``: the first twelve fields of vfcore.larynx.tissue.coefficients.Coefficients. ``theta_g`` is the
+    half-angle in the moment condition at the front, ``theta_0`` the rest angle, rad. ``c``: a
+    vfcore.larynx.tissue.prestrain.Constants. ``patches`` (n, 8).
     """
     ny, nx = fields.shape[1:]
     lam, length, thickness, T, G_t, eta_t, rho_s, J, N_b, mu, M_c, rho_l = coefficients
@@ -82,7 +83,9 @@ def wall_of(
     for value in shear.numbers(G_t, eta_t, rho_s, J, lam, dy, c):
         numbers[at] = value
         at += 1
-    numbers[at], numbers[at + 1], numbers[at + 2] = c.C_coup_pa_s_m, c.K_foun_pa, c.C_foun_pa_s
+    for value in coupling.numbers(c):
+        numbers[at] = value
+        at += 1
 
 
 @jit

@@ -19,93 +19,42 @@ At given tensions the system is piecewise linear and monotone, so Newton on the 
 empty set, ends after finitely many solves. Unknowns are ordered by column, (w of each wall over y, then w_b of each
 wall) at each inner x. The beam stencil spans two columns. Elimination fills a membrane row only up to the last beam of
 column i + 1, so the loops stop there. No pivoting: the matrix is positive definite where the equilibrium is stable.
-With finite stretch T_j and N' depend on the shape (``tensions``): vfcore/fold/statics.py iterates.
+With finite stretch T_j and N' depend on the shape: vfcore/fold/statics.py iterates. Each term adds its share.
 
 Units: w in m, equations in N/m per column (force per length along x). Order 2 in dx, dy. Source of the equations: the
 paper (eqs. MembraneEqn, BeamEqn, ContactModel). Verified in tests/physics/test_static_*; compared with the paper's
 static shapes in tests/published/serry_2026.
 """
 
-from vfcore.fold.terms import WALL_NUMBERS
-from vfcore.fold.terms.tension import axial, stretched
+from vfcore.fold.terms import beam, contact, coupling, shear, tension
 from vfcore.kernels.jit import jit
 
 NOT_SETTLED, NO_SOLUTION = -1, -2  # returned in place of the number of solves
-_STRETCH, _BEAM = WALL_NUMBERS.index("stretch_gain"), WALL_NUMBERS.index("beam_gain")
+static_tension, static_shear, static_coupling = tension.static, shear.static, coupling.static
+static_beam, static_contact = beam.static, contact.static
 
 
 @jit
-def tensions(w, w_b, share, numbers, T):
-    """Fill ``T`` (ny,) with the tension of each row over dx², Pa/m, at the present shape; return that of the beam above
-    its prestrain over dx², N/m². ``w`` and ``share`` (ny, nx), ``w_b`` (nx,), ``numbers`` (len(WALL_NUMBERS),).
-    """
-    ny, nx = w.shape
-    k = _STRETCH
-    for j in range(ny):
-        total = 0.0
-        for i in range(nx - 1):
-            total += share[j, i] * (w[j, i + 1] - w[j, i]) ** 2
-        T[j] = stretched(
-            numbers[k] * total, numbers[k + 1], numbers[k + 2], numbers[k + 3], numbers[k + 4], numbers[k + 5]
-        )
-    total, k = 0.0, _BEAM
-    for i in range(nx - 1):
-        total += (w_b[i + 1] - w_b[i]) ** 2
-    return axial(
-        numbers[k] * total, numbers[k + 1], numbers[k + 2], numbers[k + 3], numbers[k + 4], numbers[k + 5],
-        numbers[k + 6], numbers[k + 7], numbers[k + 8], numbers[k + 9], numbers[k + 10], numbers[k + 11],
-    )  # fmt: skip
-
-
-@jit
-def fill_band(band, rhs, T, pull, sheared, dy, K_foun, fields, bands):
-    """Fill the matrix and the right side without contact.
+def fill_band(band, rhs, T, pull, sheared, dy, K_foun, fields, bands, cell):
+    """Fill the matrix and the right side without contact, term by term.
 
     ``band[k, d]`` is entry (k, k + d); shape (n·block, 2·block + 1), block = walls·(ny + 1). ``rhs`` (n, block).
-    ``T`` (walls, ny) over dx²; ``pull`` (walls,): N' over dx²; ``sheared``: 1.0, or 0.0 without static shear; ``dy`` and
-    ``K_foun`` (walls,); ``fields`` (walls, 9, ny, nx); ``bands`` (walls, 7).
+    ``T`` (walls, ny) over dx²; ``pull`` (walls,): N' over dx²; ``sheared``: False without static shear; ``dy`` and
+    ``K_foun`` (walls,); ``fields`` (walls, 9, ny, nx); ``bands`` (walls, 7). Out: ``cell`` (ny,): heights m_j.
     """
     walls, ny = T.shape
     block = walls * (ny + 1)
-    n = band.shape[0] // block
-    for k in range(n * block):
-        for d in range(2 * block + 1):
-            band[k, d] = 0.0
+    band[:] = 0.0
+    rhs[:] = 0.0
+    cell[:] = dy[0]
+    cell[0] = cell[ny - 1] = 0.5 * dy[0]
     for s in range(walls):
-        scale = dy[0] / dy[s]
-        share, shear, K = fields[s, 2], fields[s, 3], fields[s, 5]
-        for i in range(n):
-            at, beam = i * block + s * ny, i * block + walls * ny + s
-            foundation = K_foun[s] * scale
-            for j in range(ny):
-                edge = j == 0 or j == ny - 1
-                m = 0.5 * dy[0] if edge else dy[0]
-                stiff = 0.0
-                if j > 0:
-                    stiff += shear[j - 1, i + 1]
-                if j < ny - 1:
-                    stiff += shear[j, i + 1]
-                    band[at + j, 1] = -dy[0] * sheared * shear[j, i + 1]
-                tension = m * T[s, j]
-                band[at + j, 0] = tension * (share[j, i] + share[j, i + 1]) + m * K[j, i + 1] + dy[0] * sheared * stiff
-                band[at + j, beam - at - j] += -m * K[j, i + 1]
-                if i < n - 1:
-                    band[at + j, block] = -tension * share[j, i + 1]
-                foundation += m * K[j, i + 1]
-                rhs[i, s * ny + j] = 0.0
-            own = bands[s, 1]
-            if i == 0:
-                own = bands[s, 0]
-            elif i == n - 1:
-                own = bands[s, 2]
-            band[beam, 0] = foundation - scale * (own - 2.0 * pull[s])
-            if i < n - 1:
-                band[beam, block] = -scale * (bands[s, 3] + pull[s])
-            if i < n - 2:
-                band[beam, 2 * block] = -scale * bands[s, 4]
-            rhs[i, walls * ny + s] = 0.0
-        rhs[0, walls * ny + s] += scale * bands[s, 5]
-        rhs[n - 1, walls * ny + s] += scale * bands[s, 6]
+        scale, at, on_beam = dy[0] / dy[s], s * ny, walls * ny + s
+        static_tension(band, T[s], fields[s, 2], cell, at, block)
+        if sheared:
+            static_shear(band, fields[s, 3], dy[0], at, block)
+        static_coupling(band, fields[s, 5], K_foun[s] * scale, cell, at, on_beam, block)
+        static_beam(band, rhs, bands[s], pull[s], scale, on_beam, block)
 
 
 @jit
@@ -139,37 +88,23 @@ def solve_band(band, x, block, beams):
 
 
 @jit
-def equilibrium_with_contact(T, pull, sheared, dy, K_foun, fields, bands, K_col, limit, free, rhs, band, touching, x):
+def equilibrium_with_contact(
+    T, pull, sheared, dy, K_foun, fields, bands, K_col, limit, free, rhs, band, cell, touching, x
+):  # fmt: skip
     """Number of solves until the contact set settles; NOT_SETTLED after ``limit`` of them; NO_SOLUTION if one fails.
 
     Arguments as for ``fill_band``; ``K_col`` (ny, nx) of the pair of walls. Out: ``x`` (n, block). Scratch: ``free``
-    and ``band`` (n·block, 2·block + 1), ``rhs`` (n, block), ``touching`` (ny, n) bool.
+    and ``band`` (n·block, 2·block + 1), ``rhs`` (n, block), ``cell`` (ny,), ``touching`` (ny, n) bool.
     """
     walls, ny = T.shape
     n, block = x.shape
-    part = 1.0 / walls  # of the half opening, per wall
-    fill_band(free, rhs, T, pull, sheared, dy, K_foun, fields, bands)
-    for j in range(ny):
-        for i in range(n):
-            touching[j, i] = False
+    fill_band(free, rhs, T, pull, sheared, dy, K_foun, fields, bands, cell)
+    touching[:] = False
     flat = x.reshape(n * block)
     for iteration in range(1, limit + 1):
         band[:] = free
         x[:] = rhs
-        for i in range(n):
-            for j in range(ny):
-                if touching[j, i]:
-                    m = 0.5 * dy[0] if j == 0 or j == ny - 1 else dy[0]
-                    stiff = part * m * K_col[j, i + 1]
-                    G = 0.0
-                    for s in range(walls):
-                        G += fields[s, 0, j, i + 1]
-                    for s in range(walls):
-                        k = i * block + s * ny + j
-                        band[k, 0] += stiff
-                        x[i, s * ny + j] += stiff * G
-                    if walls == 2:
-                        band[i * block + j, ny] += stiff
+        static_contact(band, x, touching, K_col, fields[:, 0], cell, block)
         if not solve_band(band, flat, block, walls):
             return NO_SOLUTION
         settled = True

@@ -1,8 +1,8 @@
 """Time march of many glottises: those of one form, step and length share a buffer, one per vector element.
 
-The result of a glottis does not depend on the others: vector arithmetic is elementwise, and a batch that is not full is
-padded with copies of its first glottis. So a point of a sweep is the same, bit for bit, in any batch, and a glottis that
-diverges does not disturb the others. Single precision (twice as many per vector) has seven digits.
+The result of a glottis does not depend on the others: vector arithmetic is elementwise, and a batch that is not full
+is padded with copies of its first glottis. So a point of a sweep is the same, bit for bit, in any batch, and a glottis
+that diverges does not disturb the others. Single precision (twice as many per vector) has seven digits.
 """
 
 from collections import defaultdict

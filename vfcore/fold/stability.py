@@ -28,18 +28,15 @@ import math
 
 from vfcore.errors import StabilityError
 from vfcore.fold.assemble import Fold, Glottis
-from vfcore.fold.terms import WALL_NUMBERS
-from vfcore.fold.terms.tension import SWING, axial, stretched
+from vfcore.fold.terms import WALL_NUMBERS, coupling, place_of, shear, tension
 from vfcore.kernels.jit import formula, jit
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run
 
 #: Fraction of the bound that is used: margin for rounding and for the air, which the linear bound does not include.
 SAFETY = 0.95
-(_INV_RHO_L, _T, _STRETCH, _BEAM, _INV_J, _ROTATION, _K_FOUN, _C_FOUN) = (
-    WALL_NUMBERS.index(name)
-    for name in ("inv_beam_density", "T_over_dx2", "stretch_gain", "beam_gain", "inv_rotation_inertia",
-                 "rotation_share", "K_foun", "C_foun")
-)  # fmt: skip
+bound_tension, bound_shear, bound_coupling = tension.bound, shear.bound, coupling.bound
+_TENSION, _SHEAR, _COUPLING = (place_of(term).start for term in (tension, shear, coupling))
+_INV_RHO_L = WALL_NUMBERS.index("inv_beam_density")
 
 
 @jit
@@ -52,26 +49,16 @@ def longest_step(rotation, finite, thickness, fields, numbers):
             lightest = min(lightest, fields[1, j, i])
             for k in range(2, 9):
                 largest[k] = max(largest[k], fields[k, j, i])
-    n, inv_rho_s, inv_rho_l = numbers, 1.0 / lightest, numbers[_INV_RHO_L]
-    T, pull, k = n[_T], 0.0, _STRETCH
-    if finite:
-        T = max(T, stretched(SWING, n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5]))
-        k = _BEAM
-        pull = axial(
-            SWING, n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9], n[k + 10],
-            n[k + 11],
-        )  # fmt: skip
-    membrane_omega2 = (4.0 * T * largest[2] + 4.0 * largest[3] + largest[7]) * inv_rho_s
-    membrane_rate = (4.0 * largest[4] + largest[8]) * inv_rho_s
-    if rotation:
-        membrane_omega2 += largest[3] * n[_ROTATION] * n[_INV_J]
-        membrane_rate += largest[4] * n[_ROTATION] * n[_INV_J]
-    inv_reduced_mass = inv_rho_s + thickness * inv_rho_l
-    omega2, rate = largest[5] * inv_reduced_mass, largest[6] * inv_reduced_mass
-    beam_omega2 = n[_K_FOUN] * inv_rho_l + 4.0 * max(pull, 0.0) * inv_rho_l
+    inv_rho_s, inv_rho_l = 1.0 / lightest, numbers[_INV_RHO_L]
+    K_T, K_N = bound_tension(finite, numbers[_TENSION:_SHEAR], largest[2])
+    K_G, C_G, turning_omega2, turning_rate = bound_shear(rotation, numbers[_SHEAR:_COUPLING], largest[3], largest[4])
+    omega2, rate = bound_coupling(largest[5], largest[6], inv_rho_s, inv_rho_l, thickness)
+    K_col, C_col, K_foun, C_foun = largest[7], largest[8], numbers[_COUPLING + 1], numbers[_COUPLING + 2]
     return min(
-        critical_step(membrane_omega2 + omega2, membrane_rate + rate),
-        critical_step(beam_omega2 + omega2, n[_C_FOUN] * inv_rho_l + rate),
+        critical_step(
+            (K_T + K_G + K_col) * inv_rho_s + turning_omega2 + omega2, (C_G + C_col) * inv_rho_s + turning_rate + rate
+        ),
+        critical_step((K_foun + K_N) * inv_rho_l + omega2, C_foun * inv_rho_l + rate),
     )
 
 

@@ -12,7 +12,8 @@ import numpy as np
 from vfcore.errors import StaticShapeError
 from vfcore.fold.assemble import Fold, Glottis
 from vfcore.fold.closure import ClosureShape, describe_closure
-from vfcore.fold.equilibrium import NO_SOLUTION, equilibrium_with_contact, tensions
+from vfcore.fold.equilibrium import NO_SOLUTION, equilibrium_with_contact
+from vfcore.fold.terms import of_term, tension
 
 MAX_ITERATIONS = 60
 TENSION_TOLERANCE = 1e-11
@@ -63,16 +64,16 @@ class _Solver:
         self.fields = np.array([wall.fields for wall in walls])
         self.bands = np.array([wall.bands for wall in walls])
         self.contact = np.ascontiguousarray(glottis.contact[0])
-        self.sheared = 0.0 if walls[0].rotation else 1.0  # φ = ∂_y w: no static shear
+        self.sheared = not walls[0].rotation  # φ = ∂_y w: no static shear
         self.free = np.empty((n * block, 2 * block + 1))
         self.band, self.rhs, self.x = np.empty_like(self.free), np.empty((n, block)), np.empty((n, block))
-        self.touching = np.empty((ny, n), dtype=np.bool_)
+        self.cell, self.touching = np.empty(ny), np.empty((ny, n), dtype=np.bool_)
 
     def solve(self, T: np.ndarray, pull: np.ndarray) -> int:
         """Solve at ``T`` (walls, ny) and ``pull`` (walls,), over dx²; the number of solves."""
         iterations = equilibrium_with_contact(
             T, pull, self.sheared, self.dy, self.K_foun, self.fields, self.bands, self.contact, MAX_ITERATIONS,
-            self.free, self.rhs, self.band, self.touching, self.x,
+            self.free, self.rhs, self.band, self.cell, self.touching, self.x,
         )  # fmt: skip
         if iterations < 0:
             _refuse(iterations == NO_SOLUTION)
@@ -95,7 +96,9 @@ def _stretched(solver: _Solver, T: np.ndarray, pull: np.ndarray, iterations: int
     for _ in range(MAX_STRETCHES):
         for side, wall in enumerate(solver.walls):
             w, w_b = solver.displacements(side)
-            found_pull[side] = tensions(w, w_b, wall.field("tension_share"), wall.numbers, found[side])
+            found_pull[side] = tension.tensions(
+                w, w_b, wall.field("tension_share"), of_term(wall.numbers, tension), found[side]
+            )
         change = max(float(np.abs(found / T - 1.0).max()), float(np.abs((found_pull - pull) / scale).max()))
         if change <= TENSION_TOLERANCE:
             return iterations

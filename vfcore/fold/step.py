@@ -20,7 +20,8 @@ Stored between steps: w, v^{n−½} and v*, so that no damper recomputes v*. Wit
 v* = v^{n−½} + (3/2) dt a are one multiply-add each.
 Shear is taken in differences between rows, with G̃/dy² and η̃/dy² (terms/shear.py). An edge row is a half cell
 without flux through the edge; its traction and contact count half.
-The air pressure at the first contact of a slice jumps as it closes or opens: it is averaged over the step (terms/air.py).
+The air pressure at the first contact of a slice jumps as it closes or opens: it is averaged over the step
+(terms/air.py).
 
 Columns go through three phases, BLOCK vectors at a time: gaps, flux, forces. From the last gap of a column to its flux
 there is one long dependency chain (√, ÷); the chains of a block overlap, so the processor does not wait for one.
@@ -31,8 +32,8 @@ With finite stretch a pass over all rows finds their tension before the forces (
 patches keeps mass, tension, shear, dampers and contact as numbers, and coupling as one number per row.
 
 Symbols as in the paper; SI units. Order 2 in dt, dx and dy, but first order in dy where the air pressure ends on a node
-(terms/air.py). Stability bound: vfcore/fold/stability.py. Boundary slices x = 0, L count by the trapezoid rule in area and
-flow. Twin: tests/support/fold_twin.py. Not validated against measured vibration.
+(terms/air.py). Stability bound: vfcore/fold/stability.py. Boundary slices x = 0, L count by the trapezoid rule in area
+and flow. Twin: tests/support/fold_twin.py. Not validated against measured vibration.
 """
 
 import math
@@ -178,10 +179,7 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
             for n in range(since, until):
                 P_s = load_param(P_s_of, n, P, W)
                 inlet, drop = P_s, P_s
-                if many:
-                    outlet = zero
-                else:
-                    outlet = 0.0
+                outlet = zero if many else 0.0
                 area = flow_rate = slope = contact_area = largest = column = zero
                 if coupled:
                     drop = maximum(abs_(load_param(air, DROP, P, W)), SMALLEST_DROP_PA)
@@ -207,10 +205,7 @@ def step_kernel(form: StepForm) -> Callable[..., None]:
                         store(buf, sums + ny * W, total)
                         store(buf, sums + ny * W + W, total)
                         for slot in range(0, SLOTS, W):
-                            if many:
-                                total = load(buf, sums + slot, W)
-                            else:
-                                total = sums_of_eight(buf, sums + slot * W)
+                            total = load(buf, sums + slot, W) if many else sums_of_eight(buf, sums + slot * W)
                             law = s * SLOTS + slot
                             e = load(buf, LAW_GAIN + law, W) * total
                             T_slot = stretched(

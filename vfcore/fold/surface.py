@@ -1,4 +1,4 @@
-"""Pressures on the medial surface of one state, for pictures: the laws of terms/air.py and terms/contact.py, node by node.
+"""Pressures on the medial surface of one state, for pictures: the laws of terms/air.py and contact.py, node by node.
 
     p_aero, p_col at node (i, j) from half opening and closing speed at the same instant
                                                         [eqs. ViscousBernoulliPressure, ContactModel]

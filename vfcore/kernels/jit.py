@@ -5,8 +5,8 @@
 - ``fastmath``: the compiler may contract, reassociate, use reciprocals and ignore signed zeros. ``nnan`` and ``ninf``
   are excluded on purpose: with them ``isnan`` may be optimised away, and a diverging run would go unnoticed.
 - Cache: numba's own stamp covers one file only, and is stale when a function called from another file changes. So the
-  cache directory is named by a hash of the sources of all rooms with compiled code and of NUMBA_BOUNDSCHECK, which numba's key leaves out: a
-  checked run would otherwise load unchecked code.
+  cache directory is named by a hash of the sources of all rooms with compiled code and of NUMBA_BOUNDSCHECK, which
+  numba's key leaves out: a checked run would otherwise load unchecked code.
 """
 
 import hashlib
@@ -70,6 +70,15 @@ def formula(function: Function) -> Function:
     A formula that both need is written once, and its Python result does not depend on the compiler.
     """
     return register_jitable(forceinline=True, **ARITHMETIC)(function)
+
+
+def written_out(function: Function) -> Function:
+    """A plain Python function whose lines are copied into every compiled caller before the caller is compiled.
+
+    So a formula of one function can move to its own without changing the last bit of the result, which forced inlining
+    of compiled code does not warrant. The arithmetic is the caller's.
+    """
+    return register_jitable(inline="always")(function)
 
 
 def chosen_by_constants(function: Function, count: int) -> Callable[[Callable[..., Function]], Any]:

@@ -24,9 +24,7 @@ tests/support/posture_twin.py. Not validated but for published values of strain 
 import math
 from typing import NamedTuple
 
-from numba.extending import register_jitable
-
-from vfcore.kernels.jit import inlined
+from vfcore.kernels.jit import inlined, written_out
 
 # Rows of ``muscles``; the first five are also the order of an activation vector.
 TA, CT, LCA, IA, PCA, LIG, MUC = range(7)
@@ -102,7 +100,7 @@ def stiffening(z, quadratic, quartic, limit):
     return value, 2.0 * quadratic * z + math.copysign(4.0 * quartic * beyond**3, z)
 
 
-@register_jitable(inline="always")  # other forms of inlining would change the last bits of every posture with contact
+@written_out
 def collision(xi, X, Y, theta, kappa, kappa_slope, j):
     """T (N) of a process beyond the plane of contact, ∂T/∂ξ, ∂T/∂θ_a, and R; ``xi``: ξ from that plane."""
     R = math.hypot(X, Y)

@@ -70,7 +70,7 @@ def _run(
     report = measure_all(signals_of(request, setup.postures, glottis, arrays, sample_s), radiate=lambda: sound)
     first, last, complete = _cycle_bounds(report, march, samples, sample_s)
     walls = glottis.walls
-    shapes = {
+    shapes: dict[str, Sequence[np.ndarray] | np.ndarray] = {
         "x_m": [wall.x_m for wall in walls],
         "y_m": [wall.y_m for wall in walls],
         "medial_plane_m": [wall.medial_plane_m.T for wall in walls],

@@ -103,7 +103,7 @@ def prepare(request: Simulation, modify: Modify = lambda c: c) -> GlottisSetup:
 def glottis_of(
     folds: Sequence[Simulation], postures: Sequence[PostureSolution], modify: Modify = lambda c: c
 ) -> Glottis:
-    """The glottis of the folds of a request in their postures. Raises ParameterError where one has no stiffness left."""
+    """The glottis of the folds of a request in their postures. ParameterError where one has no stiffness left."""
     return Glottis(tuple(fold_of(fold, posture, modify) for fold, posture in zip(folds, postures, strict=True)))
 
 

@@ -13,8 +13,8 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from vfcore.errors import ParameterError
+from vfcore.fold.constants import FoldConstants
 from vfcore.spec.fields import quantity, validate
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.posture_sets import PosturingConstants, constant_names, posture_set
 from vfcore.spec.variants import VARIANTS
 

@@ -10,9 +10,9 @@ from functools import cache
 from typing import Any, Self
 
 from vfcore.errors import ParameterError
+from vfcore.fold.constants import FoldConstants
 from vfcore.spec.declarations import LARYNX, SIDES, lists_of
 from vfcore.spec.fields import PAPER, changes_of, choice, flag, of_one_side, part, parts, quantity, validate
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.larynx import Larynx, larynx_of
 from vfcore.spec.lesions import Lesion, lesions_on
 from vfcore.spec.posture_sets import POSTURE_SETS, PosturingConstants

@@ -9,7 +9,7 @@ of men, and reproduce no shape or map of the paper worse than the paper's own co
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from vfcore.spec.fold_constants import FoldConstants
+from vfcore.fold.constants import FoldConstants
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,5 @@
 /** The address holds the patch, so a copied link is a saved voice. */
+import { rowAt } from "../../core/parameters.js";
 import { effect } from "../../core/ui.js";
 import { mapShown, section } from "../../state/look.js";
 import { patch, schema } from "../../state/request.js";
@@ -12,7 +13,7 @@ export function readQuery(knownSchema, query) {
   const read = {};
   const unknown = [];
   for (const [path, text] of new URLSearchParams(query)) {
-    const row = knownSchema.parameters.get(path);
+    const row = rowAt(knownSchema, path);
     if (path === SECTION || path === MAP) continue;
     if (!row) unknown.push(path);
     else if (text !== "" || !row.nullable) read[path] = valueOf(row, text);
@@ -30,8 +31,10 @@ function valueOf(row, text) {
 /** `openSection`: the open part of the Paper section, or null; `withMap`: the map is open. */
 export function writeQuery(knownSchema, ofPatch, openSection = null, withMap = false) {
   const query = new URLSearchParams();
-  const paths = [...knownSchema.parameters.keys()].filter((path) => path in ofPatch); // in the order of the schema
-  for (const path of paths) query.set(path, ofPatch[path] ?? "");
+  const { parameters } = knownSchema;
+  const paths = [...parameters.keys()].filter((path) => path in ofPatch); // in the order of the schema
+  const beyond = Object.keys(ofPatch).filter((path) => !parameters.has(path) && rowAt(knownSchema, path));
+  for (const path of [...paths, ...beyond.sort()]) query.set(path, ofPatch[path] ?? "");
   if (openSection) query.set(SECTION, openSection);
   else if (withMap) query.set(MAP, "");
   return query.toString();

@@ -139,9 +139,12 @@ function bend() {
   return Float32Array.from({ length: 2049 }, (_, k) => Math.sign(k - 1024) * curve(Math.abs(k - 1024) / 1024));
 }
 
-/** Whether a change needs another voice: other equations, or an optional part that may have come or gone. */
+/**
+ * Whether a change needs another voice: other equations, or an optional part, a value of a side or a lesion that may have
+ * come or gone.
+ */
 function isAnotherVoice(path, before, after) {
-  const optional = schema.peek().parameters.get(path).optional_part !== null;
+  const optional = schema.peek().parameters.get(path)?.optional_part !== null;
   return FIXED.test(path) || (optional && !(path in before && path in after));
 }
 

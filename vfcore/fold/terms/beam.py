@@ -12,7 +12,9 @@ Stored energy ½ (Ñ_b w_b'² + μ̃_c w_b''²) along the beam and that of the e
 its own.
 """
 
-from vfcore.kernels.jit import formula
+import numpy as np
+
+from vfcore.kernels.jit import formula, jit
 
 #: What ``beam_bands`` returns, in its order.
 BANDS = ("at_0", "centre", "at_L", "first", "second", "load_0", "load_L")
@@ -43,3 +45,36 @@ def beam_bands(dx, N_b, mu, ends):
         -2.0 * pull - bend * (6.0 + gain_0), -2.0 * pull - 6.0 * bend, -2.0 * pull - bend * (6.0 + gain_L),
         pull + 4.0 * bend, -bend, -bend * offset_0, -bend * offset_L,
     )  # fmt: skip
+
+
+@jit
+def static(band, rhs, bands, pull, scale, at, block):
+    """Add the beam of a wall to the static matrix and right side, as vfcore/fold/equilibrium.py stores them.
+
+    ``bands`` (7,), BANDS; ``pull``: tension beyond the prestrain over dx², N/m²; ``scale``: factor of the wall's
+    equations; ``at``: place of the beam in a column of ``block`` unknowns.
+    """
+    n = rhs.shape[0]
+    for i in range(n):
+        own = bands[1]
+        if i == 0:
+            own = bands[0]
+        elif i == n - 1:
+            own = bands[2]
+        k = i * block + at
+        band[k, 0] -= scale * (own - 2.0 * pull)
+        if i < n - 1:
+            band[k, block] -= scale * (bands[3] + pull)
+        if i < n - 2:
+            band[k, 2 * block] -= scale * bands[4]
+    rhs[0, at] += scale * bands[5]
+    rhs[n - 1, at] += scale * bands[6]
+
+
+def energy(w_b: np.ndarray, matrix: np.ndarray, load: np.ndarray, dx: float) -> float:
+    """Stored by tension, bending and end springs of a wall's beam, less the work of the end moments, J; ``w_b`` (nx,).
+
+    ``matrix`` (nx−2, nx−2), N/m², and ``load`` (nx−2,), N/m: force per length is matrix · w_b + load.
+    """
+    inner = w_b[1:-1]
+    return -dx * float(0.5 * inner @ matrix @ inner + load @ inner)

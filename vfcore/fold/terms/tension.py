@@ -21,10 +21,15 @@ Law of a layer in terms of e, with z = z_0 + α_1 e, z_0 = α_1 (ε̄ − ε_2):
 
     A + B e + C (e^z − 1 − z) [z > 0]
 
-Numbers of T are over dx², Pa/m; those of N over dx², N/m². Floats or SIMD vectors. Order 2 in dx. Stability: 4 T/dx² at
-the stretch ``SWING`` above the prestrain (vfcore/fold/stability.py). Twin: tests/support/fold_twin.py. Not validated
-against measured vibration.
+Static: the same forces, with T_j and N of the shape (vfcore/fold/statics.py). Loss: none.
+Numbers of T are over dx², Pa/m; those of N over dx², N/m². Floats or SIMD vectors. Order 2 in dx. Stability: ω² of
+4 T/dx² over ρ_s, with finite stretch at the stretch ``SWING`` above the prestrain, and of what that adds to the beam,
+4 N/dx² over ρ_l. Twin: tests/support/wall_twin.py. Not validated against measured vibration.
 """
+
+import math
+
+import numpy as np
 
 from vfcore.kernels.elementary import exponential
 from vfcore.kernels.jit import formula, jit
@@ -136,3 +141,83 @@ def axial_numbers(strain, a_ta, lam, dx, nx, c):
         0.5 * lam / ((nx - 1) * dx**2), lig_A + ta_A - at_rest, lig_B + ta_B,
         lig_C, lig_z, lig_alpha, ta_C, ta_z, ta_alpha, N_active, c.alpha_2_ta, strain - c.epsilon_m_ta,
     )  # fmt: skip
+
+
+@jit
+def bound(finite, numbers, largest_share):
+    """Largest stiffness of the membrane, Pa/m, and of the beam beyond its prestrain, N/m². ``numbers``: NUMBERS."""
+    n = numbers
+    T, N = n[0], 0.0
+    if finite:
+        T = max(T, stretched(SWING, n[2], n[3], n[4], n[5], n[6]))
+        N = axial(SWING, n[8], n[9], n[10], n[11], n[12], n[13], n[14], n[15], n[16], n[17], n[18])
+    return 4.0 * T * largest_share, 4.0 * max(N, 0.0)
+
+
+@jit
+def tensions(w, w_b, share, numbers, T):
+    """Fill ``T`` (ny,) with the tension of each row over dx², Pa/m, at a shape with finite stretch; return that of the
+    beam beyond its prestrain, N/m². ``w`` and ``share`` (ny, nx), ``w_b`` (nx,), ``numbers``: NUMBERS.
+    """
+    ny, nx = w.shape
+    n = numbers
+    for j in range(ny):
+        total = 0.0
+        for i in range(nx - 1):
+            total += share[j, i] * (w[j, i + 1] - w[j, i]) ** 2
+        T[j] = stretched(n[1] * total, n[2], n[3], n[4], n[5], n[6])
+    total = 0.0
+    for i in range(nx - 1):
+        total += (w_b[i + 1] - w_b[i]) ** 2
+    return axial(n[7] * total, n[8], n[9], n[10], n[11], n[12], n[13], n[14], n[15], n[16], n[17], n[18])
+
+
+@jit
+def static(band, T, share, cell, at, block):
+    """Add the tension of a wall to the static matrix, as vfcore/fold/equilibrium.py stores it.
+
+    ``T`` (ny,) over dx²; ``share`` (ny, nx); ``cell`` (ny,): heights m_j; ``at``: place of the wall's first row in a
+    column of ``block`` unknowns.
+    """
+    ny, nx = share.shape
+    for i in range(nx - 2):
+        for j in range(ny):
+            k, pull = i * block + at + j, cell[j] * T[j]
+            band[k, 0] += pull * (share[j, i] + share[j, i + 1])
+            if i < nx - 3:
+                band[k, block] -= pull * share[j, i + 1]
+
+
+def energy(w: np.ndarray, w_b: np.ndarray, share: np.ndarray, cell: np.ndarray, dx: float, numbers, finite: bool):
+    """Stored by the membrane of a wall, and by the beam beyond its prestrain, J.
+
+    ``w`` and ``share`` (ny, nx), ``w_b`` (nx,), ``cell`` (ny,): heights m_j, m. ``numbers``: NUMBERS.
+    """
+    n = numbers
+    squares = (share[:, :-1] * np.diff(w, axis=1) ** 2).sum(axis=1)
+    if not finite:
+        return float(0.5 * n[0] * dx * (cell * squares).sum()), 0.0
+    rows = [_work(n[1] * square, n[2], n[3], n[4], n[5], n[6]) for square in squares]
+    e = n[7] * float((np.diff(w_b) ** 2).sum())
+    beam = _work(e, n[8], n[9], n[10], n[11], n[12]) + _work(e, 0.0, 0.0, n[13], n[14], n[15])
+    beam += n[16] * _active_work(e, n[17], n[18])
+    return float(0.5 * dx / n[1] * (cell * np.array(rows)).sum()), 0.5 * dx / n[7] * beam
+
+
+def _work(e, A, B, C, z_0, alpha):
+    """∫ of ``stretched`` from 0 to ``e``."""
+    low, high = max(z_0, 0.0), max(z_0 + alpha * e, 0.0)
+    exponential_part = 0.0
+    if alpha > 0.0:
+        exponential_part = math.exp(high) - math.exp(low) - (high - low) - 0.5 * (high**2 - low**2)
+        exponential_part *= C / alpha
+    elif z_0 > 0.0:
+        exponential_part = C * (math.exp(z_0) - 1.0 - z_0) * e
+    return A * e + 0.5 * B * e**2 + exponential_part
+
+
+def _active_work(e, alpha, offset):
+    """∫ of 1 − α_2 (offset + e)², where it is positive, from 0 to ``e``."""
+    reach = math.inf if alpha <= 0.0 else alpha**-0.5
+    low, high = (min(max(value, -reach), reach) for value in (offset, offset + e))
+    return high - low - alpha * (high**3 - low**3) / 3.0

@@ -22,6 +22,20 @@ from vfcore.spec.fields import check_number
 from vfcore.spec.posture_sets import PosturingConstants, posture_set
 from vfcore.spec.simulation import Activation
 
+Sides = tuple[PostureSolution, PostureSolution]  # left, right
+SIDES = ("left", "right")
+#: Constants of the cricothyroid joint, and those of the equations themselves: one larynx has one value of each.
+COMMON_CONSTANTS = (
+    "L_0_posture_m",
+    "adductor_strain_gain",
+    "cos_phi",
+    "h_TA_m",
+    "w_CT_m",
+    *(name for name in Joints._fields if name.startswith(("k_t_", "k_r_"))),
+)
+_CT, _IA = MUSCLE_ORDER.index("ct"), MUSCLE_ORDER.index("ia")
+_Packed = tuple[np.ndarray, Joints, Joints, np.ndarray, Joints, Joints, np.ndarray]
+
 
 def solve_posture_batch(activations, constants: PosturingConstants) -> PostureBatch:
     """Postures for an array of activations (n, 5), columns TA, CT, LCA, IA, PCA, each in [0, 1].
@@ -163,11 +177,6 @@ def _failure(reached: float) -> tuple[str, str]:
     )
 
 
-Sides = tuple[PostureSolution, PostureSolution]
-SIDES = ("left", "right")
-_Packed = tuple[np.ndarray, Joints, Joints, np.ndarray, Joints, Joints, np.ndarray]
-
-
 def solve_sides(
     left: Activation,
     right: Activation,
@@ -176,13 +185,13 @@ def solve_sides(
     left_length_m: float = 0.015,
     right_length_m: float = 0.015,
 ) -> Sides:
-    """Posture of a larynx with two different sides: left, right. The lengths are those of the vibrating folds at rest.
+    """Posture of a larynx with two different sides, left and right; the lengths are the resting ones of the folds.
 
-    IA is one muscle with two nerves: both sides have the mean of the two IA activations. Muscles and cricoarytenoid
-    joint may differ. Where the processes touch, the two half-angles close the glottis at the processes exactly, in the
+    Muscles and cricoarytenoid joint may differ. IA is one muscle with two nerves: both sides have the mean of the two
+    IA activations. Where the processes touch, the two half-angles close the glottis at the processes exactly, in the
     middle between them; elsewhere they are the raw ones. Both are signed (see PostureSolution).
-    Raises PostureError where no root is connected to rest, ParameterError for a length out of range or for different
-    constants of the cricothyroid joint, which both sides share.
+    Raises PostureError where no root is connected to rest, ParameterError for a length out of range and where
+    COMMON_CONSTANTS differ.
     """
     found = solve_each_sides([(left, right)], left_constants, right_constants, left_length_m, right_length_m)[0]
     if isinstance(found, PostureError):
@@ -245,18 +254,6 @@ def _solved_different(rows: np.ndarray, packed: _Packed) -> tuple[np.ndarray, np
     status = np.empty(n, dtype=np.int64)
     solve_postures_of_sides(rows, *packed, roots, outcomes, planes, status)
     return roots, outcomes, planes, status
-
-
-_CT, _IA = MUSCLE_ORDER.index("ct"), MUSCLE_ORDER.index("ia")
-#: Constants of the cricothyroid joint, and those of the equations themselves: one larynx has one value of each.
-COMMON_CONSTANTS = (
-    "L_0_posture_m",
-    "adductor_strain_gain",
-    "cos_phi",
-    "h_TA_m",
-    "w_CT_m",
-    *(name for name in Joints._fields if name.startswith(("k_t_", "k_r_"))),
-)
 
 
 @lru_cache(maxsize=64)

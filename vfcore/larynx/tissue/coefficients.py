@@ -17,8 +17,8 @@ The paper, "Model development", with its symbols. Index muc, lig, ta; subscript 
 from dataclasses import dataclass
 
 from vfcore.errors import ParameterError
+from vfcore.fold.constants import FoldConstants
 from vfcore.larynx.tissue.prestrain import prestrained
-from vfcore.spec.fold_constants import FoldConstants
 
 
 @dataclass(frozen=True, slots=True)

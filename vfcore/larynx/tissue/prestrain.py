@@ -12,54 +12,14 @@ tests/support/coefficient_twin.py. Not validated against measured tissue.
 """
 
 import math
-from typing import NamedTuple
+from dataclasses import fields
+from typing import Any, NamedTuple
 
+from vfcore.fold.constants import FoldConstants
 from vfcore.kernels.jit import formula
 
-
-class Constants(NamedTuple):
-    """Constants of the fold used by these formulas; names and units of vfcore.spec.fold_constants.FoldConstants."""
-
-    L_0_m: float
-    b_0_m: float
-    A_muc_0_m2: float
-    A_lig_0_m2: float
-    A_ta_0_m2: float
-    rho_muc_kg_m3: float
-    rho_lig_kg_m3: float
-    rho_ta_kg_m3: float
-    sigma_1_muc_pa: float
-    sigma_1_lig_pa: float
-    sigma_1_ta_pa: float
-    epsilon_1_muc: float
-    epsilon_1_lig: float
-    epsilon_1_ta: float
-    sigma_2_muc_pa: float
-    sigma_2_lig_pa: float
-    sigma_2_ta_pa: float
-    epsilon_2_muc: float
-    epsilon_2_lig: float
-    epsilon_2_ta: float
-    alpha_1_muc: float
-    alpha_1_lig: float
-    alpha_1_ta: float
-    sigma_a_max_ta_pa: float
-    epsilon_m_ta: float
-    alpha_2_ta: float
-    alpha_s: float
-    rho_a_kg_m3: float
-    mu_a_pa_s: float
-    K_coup_min_pa_m: float
-    K_coup_max_pa_m: float
-    C_coup_pa_s_m: float
-    K_foun_pa: float
-    C_foun_pa_s: float
-    K_col_pa_m: float
-    C_col_pa_s_m: float
-    G_m_pa: float
-    eta_m_pa_s: float
-    K_r_a_n_m: float
-    K_r_p_n_m: float
+#: The constants of a fold as plain floats: what compiled code takes in the place of FoldConstants, with the same names.
+Constants: Any = NamedTuple("Constants", [(spec.name, float) for spec in fields(FoldConstants)])  # type: ignore[misc]  # mypy wants a literal list
 
 
 @formula

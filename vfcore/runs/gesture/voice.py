@@ -27,8 +27,8 @@ BLOCK_S = BLOCK_STEPS * DEFAULT_STEP_S
 
 
 class Block(NamedTuple):
-    """10 ms of voice: ``record`` (280, 7) of vfcore.fold.form.RECORD; pressure at the lips and at 0.3 m (280,), Pa, the latter
-    None for a played voice; pressure at the lips at 48 kHz (480,), Pa, delayed by ``Voice.audio_delay_s``.
+    """10 ms of voice: ``record`` (280, 7) of vfcore.fold.form.RECORD; pressure at the lips and at 0.3 m (280,), Pa, the
+    latter None for a played voice; pressure at the lips at 48 kHz (480,), Pa, delayed by ``Voice.audio_delay_s``.
     """
 
     record: np.ndarray
@@ -41,7 +41,8 @@ class Voice:
     """One voice from its onset on. ``advance(target)`` moves to ``target`` within a block.
 
     The grid, the model and the step are those of ``start``; targets that differ in them are refused. The folds are one
-    and its mirror image until they differ, or ``walls`` is 2: two different ones from then on. ``played``: the sound at 0.3 m is left out, and each block reuses the memory of the one before, to keep the cache warm. Raises
+    and its mirror image until they differ, or ``walls`` is 2: two different ones from then on. ``played``: the sound at
+    0.3 m is left out, and each block reuses the memory of the one before, to keep the cache warm. Raises
     ParameterError, PostureError or DivergenceError.
     """
 

@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
+from vfcore.fold.constants import FoldConstants
 from vfcore.larynx.tissue.coefficients import Coefficients
 from vfcore.runs.setup import GlottisSetup, prepare
-from vfcore.spec.fold_constants import FoldConstants
 from vfcore.spec.simulation import Simulation
 
 

@@ -28,7 +28,10 @@ class FoldConstants:
     A_ta_0_m2: float = quantity(
         4.09e-5, "m²", "resting section of the TA muscle", 4e-6, 4e-4, source=_DIM, symbol="A_ta,0"
     )
-    rho_muc_kg_m3: float = quantity(1000.0, "kg/m³", "density of the mucosa", 500, 2000, source=_DIM, symbol="ρ_muc")
+    rho_muc_kg_m3: float = quantity(
+        1000.0, "kg/m³", "density of the mucosa", 500, 3000, source=_DIM, symbol="ρ_muc",
+        help="far beyond that of tissue too: a mass asymmetry of left and right, as in Steinecke & Herzel (1995)",
+    )  # fmt: skip
     rho_lig_kg_m3: float = quantity(1030.0, "kg/m³", "density of the ligament", 500, 2000, source=_DIM, symbol="ρ_lig")
     rho_ta_kg_m3: float = quantity(1050.0, "kg/m³", "density of the TA muscle", 500, 2000, source=_DIM, symbol="ρ_ta")
 
