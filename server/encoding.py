@@ -42,8 +42,9 @@ def array_of(result: SimulationResult, name: str, path: str) -> np.ndarray:
 def bundle(document: dict[str, Any], result: SimulationResult, names: Iterable[str] | None) -> bytes:
     """One reply with everything: uint32 header length, JSON header, array data.
 
-    ``names`` chooses the arrays, None is all that the result has; ParameterError as of ``array_of``. The header is ``document`` with ``arrays`` listing the chosen ones, each with its ``offset`` in bytes from the
-    start of the data, which follows the header; both are multiples of 4 (the header is padded with spaces).
+    ``names`` chooses the arrays, None is all that the result has; ParameterError as of ``array_of``. The header is
+    ``document`` with ``arrays`` listing the chosen ones, each with its ``offset`` in bytes from the start of the data,
+    which follows the header; both are multiples of 4 (the header is padded with spaces).
     """
     table, parts, offset = {}, [], 0
     for name in result.arrays if names is None else names:

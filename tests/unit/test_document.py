@@ -133,9 +133,10 @@ def test_a_run_of_two_folds_says_which_arrays_are_of_one_side(palsy):
     assert arrays["static_wb_m"]["dims"] == ["side", "x"]
     assert arrays["cycle_contact_pressure_pa"]["dims"] == ["phase", "x", "y"], "one pressure between both"
     assert arrays["left_edge_m"]["dims"] == ["time"]
-    assert document["sides"]["right"]["posture"] == json.loads(json_text(posture_document(prepare(palsy.request))))[
-        "sides"
-    ]["right"]["posture"]
+    assert (
+        document["sides"]["right"]["posture"]
+        == json.loads(json_text(posture_document(prepare(palsy.request))))["sides"]["right"]["posture"]
+    )
 
 
 def test_edges_of_both_sides_are_given_whether_or_not_the_folds_differ(modal, palsy):

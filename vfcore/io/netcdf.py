@@ -3,8 +3,9 @@
 Variables: every array of ``vfcore.runs.result.ARRAYS`` under its name, float64; every measure as the scalar
 ``measure_<key>`` (NaN with a ``reason`` where there is none), with its error bar as ``error_half_width`` and
 ``error_limit`` where the request has an error estimate; posture and coefficients as ``posture_<name>`` and
-``coefficient_<name>``, of two different folds the mean posture and the left fold, with both under ``side_posture_<name>``
-and ``side_coefficient_<name>``. Attributes of the file: phonation state, provenance, and the request as JSON.
+``coefficient_<name>``, of two different folds the mean posture and the left fold, and both under
+``side_posture_<name>`` and ``side_coefficient_<name>``. Attributes of the file: phonation state, provenance, and the
+request as JSON.
 """
 
 import io
