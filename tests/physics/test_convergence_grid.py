@@ -5,7 +5,7 @@ import pytest
 
 from tests.support.fold_harness import MODAL, NO_DAMPERS, advance, get_state, product_and_twin, put_state
 from vfcore.fold.march import TimeMarch
-from vfcore.fold.statics import static_shape_of
+from vfcore.fold.statics import static_shapes_of
 
 GRIDS = [(11, 6), (21, 11), (41, 21)]
 
@@ -16,10 +16,10 @@ def test_the_membrane_alone_has_the_frequencies_of_the_continuous_one(rows, alon
     frequencies = []
     for nx, ny in GRIDS:
         free = {"K_coup_min_pa_m": 0.0, "K_coup_max_pa_m": 0.0, "G_m_pa": 1e3} | NO_DAMPERS
-        fold, twin = product_and_twin(0.057, 0.4, 0.5, theta_conv=0.3, nx=nx, ny=ny, **free)
+        glottis, twin = product_and_twin(0.057, 0.4, 0.5, theta_conv=0.3, nx=nx, ny=ny, **free)
         shape = np.outer(np.sin(np.pi * twin.x / twin.k.L), np.cos(along_y * np.pi * twin.y / twin.k.b))[1:-1]
         dt, every = 2e-6, 40
-        march = TimeMarch(fold, dt, 0.0)
+        march = TimeMarch(glottis, dt, 0.0)
         put_state(march, twin.zero_state()._replace(w_m=1e-6 * shape))
         weight = shape * twin.row_width
         coordinate = []
@@ -43,8 +43,8 @@ def test_an_open_static_shape_converges_at_second_order_in_both_spacings():
     """Error of the coupled equilibrium at common nodes, against Richardson's limit of the two finest grids."""
     shapes = []
     for refine in (2, 4, 8, 16):
-        fold, _ = product_and_twin(0.057, 0.4, 0.3, theta_conv=0.2, nx=10 * refine + 1, ny=3 * refine + 1)
-        static = static_shape_of(fold)
+        glottis, _ = product_and_twin(0.057, 0.4, 0.3, theta_conv=0.2, nx=10 * refine + 1, ny=3 * refine + 1)
+        static = static_shapes_of(glottis)[0]
         assert (static.w_m < static.medial_m)[:, 1:].all()
         shapes.append(static.w_m[::refine, ::refine])
     limit = shapes[3] + (shapes[3] - shapes[2]) / 3
@@ -57,8 +57,8 @@ def test_an_open_static_shape_converges_at_second_order_in_both_spacings():
 def test_the_closed_modal_static_shape_converges_with_the_grid():
     shapes = []
     for refine in (1, 2, 4):
-        fold, _ = product_and_twin(**MODAL, nx=20 * refine + 1, ny=10 * refine + 1)
-        shapes.append(static_shape_of(fold).w_m[::refine, ::refine])
+        glottis, _ = product_and_twin(**MODAL, nx=20 * refine + 1, ny=10 * refine + 1)
+        shapes.append(static_shapes_of(glottis)[0].w_m[::refine, ::refine])
     steps = [np.abs(b - a).max() for a, b in zip(shapes[:-1], shapes[1:], strict=True)]
     assert steps[0] < 0.02 * np.abs(shapes[-1]).max()
     assert steps[1] < 0.5 * steps[0]

@@ -16,7 +16,7 @@ from tests.support.fold_harness import (
 )
 from vfcore.fold.form import RECORD
 from vfcore.fold.march import TimeMarch
-from vfcore.fold.statics import static_shape_of
+from vfcore.fold.statics import static_shapes_of
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 DAMPED = {"C_coup_pa_s_m": 40.0, "C_foun_pa_s": 5.0, "eta_m_pa_s": 2.0}
@@ -33,14 +33,14 @@ def smooth_start(twin):
 
 @pytest.mark.parametrize("shear", SHEARS)
 def test_the_step_is_of_second_order_with_dampers(shear):
-    fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **DAMPED)
+    glottis, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **DAMPED)
     end = 112 * DEFAULT_STEP_S
     start = smooth_start(twin)
     [exact] = twin.linear_reference(start, [end])
     splits, errors = np.array([2, 4, 8, 16]), []
     for split in splits:
         dt = DEFAULT_STEP_S / split
-        march = TimeMarch(fold, dt, 0.0)
+        march = TimeMarch(glottis, dt, 0.0)
         put_state(march, half_step_back(twin, start, dt))
         advance(march, 112 * split)
         errors.append(np.abs(get_state(march).w_m - exact.w_m).max() / 1e-5)
@@ -51,12 +51,12 @@ def test_the_step_is_of_second_order_with_dampers(shear):
 
 def test_a_voice_through_contact_and_flow_converges_at_first_order():
     """12 ms from the static shape. Contact and separation switch nodes within a step, so the order is at most 1."""
-    fold, _ = product_and_twin(**MODAL)
-    shape = static_shape_of(fold)
+    glottis, _ = product_and_twin(**MODAL)
+    [shape] = static_shapes_of(glottis)
 
     def final(split):
-        march = TimeMarch(fold, DEFAULT_STEP_S / split, 1000.0)
-        march.start_static(shape)
+        march = TimeMarch(glottis, DEFAULT_STEP_S / split, 1000.0)
+        march.start(0, [shape])
         record = advance(march, 336 * split)
         assert record[:, RECORD.index("contact_pressure_max_pa")].max() > 500
         return get_state(march).w_m

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 from tests.support.airways_twin import AirwaysTwin
-from tests.support.fold_harness import get_state, product_and_twin, with_constants
+from tests.support.fold_harness import beam, get_state, membrane, product_and_twin
 from vfcore.airways.coupled import Airways, airways
 from vfcore.airways.tract import Tract
-from vfcore.fold.assemble import beam, membrane
 from vfcore.fold.form import RECORD
 from vfcore.fold.march import TimeMarch
 from vfcore.runs.one import simulate
@@ -24,25 +23,23 @@ FLOW, INLET, OUTLET = (RECORD.index(name) for name in ("glottal_flow_m3_s", "inl
 def step(march: TimeMarch) -> np.ndarray:
     """Advance by one step; returns its row of the record."""
     record = np.empty(len(RECORD))
-    march._advance(march.buffer, march.scalars, np.array([P_S]), 1, record, march.air)
+    march.advance(np.array([P_S]), 1, record)
     return record
 
 
 @pytest.mark.kernel
 def test_along_a_voice_flow_pressures_and_forces_equal_the_twins():
     """With a step of one section of travel the twin needs no geometry between steps."""
-    fold, twin = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.01, nx=12, ny=6)
-    fold = with_constants(fold, **DAMPED)
-    twin = replace(twin, constants=fold.constants)
+    glottis, twin = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.01, nx=12, ny=6, **DAMPED)
     ways = airways("a", RHO, C, SECTION_TRAVEL_S)
-    march, air = TimeMarch(fold, SECTION_TRAVEL_S, P_S, 0.0, ways), AirwaysTwin(ways)
-    march.start_flat()
-    seen, room_before = [], np.zeros(fold.nx)
+    march, air = TimeMarch(glottis, SECTION_TRAVEL_S, P_S, 0.0, ways), AirwaysTwin(ways)
+    march.start(0, None)
+    seen, room_before = [], np.zeros(glottis.nx)
     for n in range(1400):
         state = get_state(march)
         extrapolated = state._replace(
-            v_m=membrane(march.buffer, fold, "v_star")[:, 1:-1].T.copy(),
-            v_b=beam(march.buffer, fold, "v_star_b")[1:-1].copy(),
+            v_m=membrane(march, "v_star")[:, 1:-1].T.copy(),
+            v_b=beam(march, "v_star_b")[1:-1].copy(),
         )
         air.step(P_S, lambda drop, w=state.w_m: np.sign(drop) * twin.flow(w, abs(drop)).Q_g)
         line = step(march)
@@ -51,7 +48,7 @@ def test_along_a_voice_flow_pressures_and_forces_equal_the_twins():
             drop = line[INLET] - line[OUTLET]
             aero = twin.mean_pressure(state.w_m, drop, room_before, SECTION_TRAVEL_S)[1:-1] + line[OUTLET]
             without = twin.acceleration(extrapolated, 0.0)[0] + twin.flow(state.w_m, 0.0).p_aero[1:-1] / twin.k.rho_s
-            v, v_star = (membrane(march.buffer, fold, name)[:, 1:-1].T for name in ("v", "v_star"))
+            v, v_star = (membrane(march, name)[:, 1:-1].T for name in ("v", "v_star"))
             moved = 2 * (v_star - v) / SECTION_TRAVEL_S  # v* is half an increment beyond v
             wanted = without - aero / twin.k.rho_s
             assert np.abs(moved - wanted).max() < 2e-3 * np.abs(wanted).max()
@@ -73,12 +70,11 @@ def wide(factor: float) -> Airways:
 
 
 def test_with_wide_airways_the_voice_becomes_that_of_one_way_coupling():
-    fold, _ = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.01)
-    fold = with_constants(fold, **DAMPED)
+    glottis, _ = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.01, **DAMPED)
     records = {}
     for factor in (None, 25.0, 100.0):
-        march = TimeMarch(fold, DEFAULT_STEP_S, P_S, 0.0, wide(factor) if factor else None)
-        march.start_flat()
+        march = TimeMarch(glottis, DEFAULT_STEP_S, P_S, 0.0, wide(factor) if factor else None)
+        march.start(0, None)
         records[factor] = march.run(280)
     size = records[None][:, FLOW].max()
     apart = {f: np.abs(records[f][:, FLOW] - records[None][:, FLOW]).max() / size for f in (25.0, 100.0)}

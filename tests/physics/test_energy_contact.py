@@ -28,10 +28,10 @@ def thrown(twin):
 
 def bounce(split, shear, steps=160, **constants):
     """Total energy above the equilibrium and its contact part (steps,), and the kinetic energy at the start, J."""
-    fold, twin = product_and_twin(**POSTURE, nx=12, ny=6, shear=shear, **(NO_DAMPERS | constants))
+    glottis, twin = product_and_twin(**POSTURE, nx=12, ny=6, shear=shear, **(NO_DAMPERS | constants))
     system, dt = twin.linear_operators(), DEFAULT_STEP_S / split
     rest, mass = np.linalg.solve(system.K, system.load), np.diag(system.M)
-    march, start = TimeMarch(fold, dt, 0.0), thrown(twin)
+    march, start = TimeMarch(glottis, dt, 0.0), thrown(twin)
     put_state(march, half_step_back(twin, start, dt))
     total, stored, before = [], [], state_of(march)
     for _ in range(steps * split):

@@ -27,9 +27,9 @@ def plucked(twin, count=12, size=1e-5):
     return twin.unpack(q, 0.0 * q)
 
 
-def states_of(fold, twin, start, dt, steps):
+def states_of(glottis, twin, start, dt, steps):
     """States (q, v) at whole steps: the velocity is the mean of the two adjacent half steps."""
-    march = TimeMarch(fold, dt, 0.0)
+    march = TimeMarch(glottis, dt, 0.0)
     put_state(march, half_step_back(twin, start, dt))
     before = get_state(march)
     for _ in range(steps):
@@ -54,10 +54,10 @@ def energies(twin, states):
 
 @pytest.mark.parametrize("shear", SHEARS)
 def test_without_dampers_the_energy_oscillates_by_the_square_of_the_step(shear):
-    fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **NO_DAMPERS)
+    glottis, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **NO_DAMPERS)
     start, drifts = plucked(twin), []
     for split in (1, 2, 4):
-        energy = energies(twin, states_of(fold, twin, start, DEFAULT_STEP_S / split, 200 * split))
+        energy = energies(twin, states_of(glottis, twin, start, DEFAULT_STEP_S / split, 200 * split))
         drifts.append(np.abs(energy / energy[0] - 1).max())
     assert drifts[0] < 0.03
     assert np.log2(drifts[0] / drifts[1]) == pytest.approx(2, abs=0.2)
@@ -67,10 +67,10 @@ def test_without_dampers_the_energy_oscillates_by_the_square_of_the_step(shear):
 @pytest.mark.parametrize("shear", SHEARS)
 def test_over_thousands_of_steps_energy_only_falls_by_the_cube_of_the_step(shear):
     """Störmer's formula damps a mode by h³/24 per radian, h = ω dt: at most 0.2 % of the energy in 0.14 s."""
-    fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **NO_DAMPERS)
+    glottis, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, **NO_DAMPERS)
     losses = []
     for split in (1, 2):
-        states = states_of(fold, twin, plucked(twin), DEFAULT_STEP_S / split, 4000 * split)
+        states = states_of(glottis, twin, plucked(twin), DEFAULT_STEP_S / split, 4000 * split)
         quarters = energies(twin, states).reshape(4, -1).mean(axis=1)
         assert (np.diff(quarters) < 0).all()
         losses.append(1 - quarters[-1] / quarters[0])
@@ -81,11 +81,11 @@ def test_over_thousands_of_steps_energy_only_falls_by_the_cube_of_the_step(shear
 @pytest.mark.parametrize("shear", SHEARS)
 def test_the_energy_loss_is_the_dissipation_of_the_dampers(shear):
     """E(0) − E(t) = ∫ ẇᵀ C ẇ dt, to second order in the step."""
-    fold, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear)
+    glottis, twin = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear)
     damping, start, misses = twin.linear_operators().C, plucked(twin), []
     for split in (2, 4, 8):
         dt = DEFAULT_STEP_S / split
-        states = list(states_of(fold, twin, start, dt, 200 * split))
+        states = list(states_of(glottis, twin, start, dt, 200 * split))
         energy = energies(twin, states)
         power = np.array([v @ damping @ v for v in (twin.pack(state)[1] for state in states)])
         lost = energy[0] - energy[-1]

@@ -102,12 +102,12 @@ def test_the_terms_add_up_to_the_energy_of_the_linear_system():
 def test_without_dampers_and_air_the_energy_oscillates_by_the_square_of_the_step(kind, march):
     glottis = glottis_of(kind, OPEN)
     start, drifts = tuple(map(plucked, glottis.walls)), []
-    for split in (2, 4, 8):
+    for split in (1, 2, 4):
         energies, _ = moved(march, glottis, start, split, 200)
         drifts.append(np.abs(energies.total - energies.total[0]).max() / kinetic(energies).max())
         assert energies.energy["contact"].max() == 0
-    assert drifts[-1] < 2e-3
-    assert -np.polyfit(np.log([2, 4, 8]), np.log(drifts), 1)[0] == pytest.approx(2, abs=0.3)
+    assert drifts[-1] < 3e-4
+    assert -np.polyfit(np.log([1, 2, 4]), np.log(drifts), 1)[0] == pytest.approx(2, abs=0.1)
 
 
 @marches
@@ -115,9 +115,9 @@ def test_the_energy_of_the_stretch_is_a_large_part_of_what_is_kept(march):
     """The tension term with the nominal tension alone would miss the total by far more than the drift."""
     glottis = glottis_of("finite", OPEN)
     [wall] = glottis.walls
-    dt = DEFAULT_STEP_S / 8
+    dt = DEFAULT_STEP_S / 4
     start = glottis.half_step_back((plucked(wall),), dt)
-    motion = centred(march(glottis, start, 0.0, dt, 1600))
+    motion = centred(march(glottis, start, 0.0, dt, 800))
     finite = balance(glottis, motion)
     nominal = balance(GlottisTwin((replace(wall, stretch="linear"),)), motion)
     swing = kinetic(finite).max()
@@ -126,7 +126,7 @@ def test_the_energy_of_the_stretch_is_a_large_part_of_what_is_kept(march):
 
 
 @marches
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", ["finite-rotation", "finite-walls"])
 @pytest.mark.parametrize(
     ("term", "constant"),
     [("shear", {"eta_m_pa_s": 1.0}), ("coupling", {"C_coup_pa_s_m": 40.0}), ("foundation", {"C_foun_pa_s": 10.0})],
@@ -140,7 +140,7 @@ def test_one_damper_takes_what_its_term_dissipates(term, constant, kind, march):
         assert lost[term] > 0.01 * scale
         assert all(value == 0 for name, value in lost.items() if name != term)
         misses.append(abs(energies.miss(dt)) / scale)
-    assert misses[0] < 5e-3 and misses[1] < 2e-3
+    assert misses[0] < 5e-4 and misses[1] < misses[0] / 2.5
 
 
 @marches
@@ -149,7 +149,7 @@ def test_contact_gives_back_what_it_stores(kind, march):
     """The folds are thrown together and part again; no damper, no air."""
     glottis = glottis_of(kind, CLOSE)
     start, changes = tuple(map(thrown, glottis.walls)), []
-    for split in (4, 16):
+    for split in (2, 8):
         energies, _ = moved(march, glottis, start, split, 160)
         stored = energies.energy["contact"]
         scale = kinetic(energies)[0]
@@ -157,18 +157,18 @@ def test_contact_gives_back_what_it_stores(kind, march):
         first = np.flatnonzero(stored)[0]
         assert (stored[first:] == 0).any(), "the folds part again"
         changes.append(np.abs(energies.total - energies.total[0]).max() / scale)
-    assert changes[0] < 5e-3
-    assert changes[1] < changes[0] / 8
+    assert changes[0] < 0.03
+    assert changes[1] < changes[0] / 10
 
 
 @marches
 @pytest.mark.parametrize("kind", ["finite", "finite-walls"])
 def test_the_contact_damper_takes_what_the_bounce_loses(kind, march):
     glottis = glottis_of(kind, CLOSE, C_col_pa_s_m=100.0)
-    energies, dt = moved(march, glottis, tuple(map(thrown, glottis.walls)), 32, 160)
+    energies, dt = moved(march, glottis, tuple(map(thrown, glottis.walls)), 16, 160)
     scale, lost = kinetic(energies)[0], energies.lost(dt)
     assert lost["contact"] > 0.01 * scale
-    assert abs(energies.miss(dt)) < 2e-3 * scale
+    assert abs(energies.miss(dt)) < 5e-4 * scale
 
 
 @marches
@@ -186,15 +186,15 @@ def test_walls_of_unequal_area_exchange_energy_only_as_their_areas_differ(march)
 @marches
 @pytest.mark.parametrize("kind", ["finite", "finite-walls"])
 def test_a_voice_gains_from_the_air_what_its_dampers_lose(kind, march):
-    """From onset through contact to full swing at 1000 Pa; closing switches within steps, so at first order."""
+    """From onset through contact to full swing at 1000 Pa; the miss falls by the square of the step."""
     wall = WallTwin(0.057, 0.4, 0.0, nx=12, ny=6)
     glottis = glottis_of(kind, wall)
     if kind == "finite-walls":
         glottis = GlottisTwin((glottis.walls[0], patched(glottis.walls[0], 0.5)))
     start, misses = glottis.initial_states(), []
-    for split in (4, 16):
-        energies, dt = moved(march, glottis, start, split, 1000, 1000.0)
+    for split in (2, 8):
+        energies, dt = moved(march, glottis, start, split, 700, 1000.0)
         assert energies.energy["contact"].max() > 1e-7
         misses.append(abs(energies.miss(dt)) / energies.gained(dt))
-    assert misses[0] < 0.02
-    assert misses[1] < misses[0] / 2
+    assert misses[0] < 0.06
+    assert misses[1] < misses[0] / 10

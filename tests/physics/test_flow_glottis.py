@@ -11,8 +11,8 @@ AREA, FLOW, CONTACT = (RECORD.index(name) for name in ("glottal_area_m2", "glott
 
 
 def first_sample(pressure_pa=1000.0, **posture):
-    fold, twin = product_and_twin(nx=12, ny=6, **posture)
-    return advance(TimeMarch(fold, 1e-6, pressure_pa), 1)[0], twin
+    glottis, twin = product_and_twin(nx=12, ny=6, **posture)
+    return advance(TimeMarch(glottis, 1e-6, pressure_pa), 1)[0], twin
 
 
 @pytest.mark.kernel

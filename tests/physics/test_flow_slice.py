@@ -5,11 +5,9 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from tests.support.fold_harness import product_and_twin
-from vfcore.fold.assemble import membrane
+from tests.support.fold_harness import advance, membrane, product_and_twin
 from vfcore.fold.form import RECORD
 from vfcore.fold.march import TimeMarch
-from vfcore.fold.step import step_kernel
 from vfcore.fold.surface import surface_pressures
 from vfcore.fold.terms.air import closed_fraction, held_fraction
 
@@ -21,25 +19,23 @@ SLICE = 5
 
 def pressures(gaps, pressure_pa=P_S, mu=MU, alpha_s=ALPHA_S):
     """p_aero (ny,) of a slice with these gaps, m."""
-    G = np.array(gaps)[:, None] / 2
-    p_aero, p_col = np.full((2, *G.shape), np.nan)
+    half = np.array(gaps)[:, None] / 2
+    p_aero, p_col = np.full((2, *half.shape), np.nan)
     dy = THICKNESS_M / (len(gaps) - 1)
-    still = np.zeros_like(G)
-    surface_pressures(still, still, G, pressure_pa, 0.0, dy, alpha_s, RHO / 2, 12 * mu, 1e6, 100.0, p_aero, p_col)
+    still, K, C = np.zeros_like(half), np.full_like(half, 1e6), np.full_like(half, 100.0)
+    surface_pressures(half, still, pressure_pa, 0.0, dy, alpha_s, RHO / 2, 12 * mu, K, C, p_aero, p_col)
     return p_aero[:, 0]
 
 
 def flux(gaps, pressure_pa=P_S, mu=MU, alpha_s=ALPHA_S):
     """Flow per width, m²/s, of a slice with these gaps: one step of the kernel with every other slice closed."""
-    fold, _ = product_and_twin(0.057, 0.4, 0.0, nx=NX, ny=NY, mu_a_pa_s=mu, rho_a_kg_m3=RHO, alpha_s=alpha_s)
-    march = TimeMarch(fold, 1e-6, pressure_pa)
+    glottis, _ = product_and_twin(0.057, 0.4, 0.0, nx=NX, ny=NY, mu_a_pa_s=mu, rho_a_kg_m3=RHO, alpha_s=alpha_s)
+    march = TimeMarch(glottis, 1e-6, pressure_pa)
     medial = np.full((NY, NX), -1.0)
     medial[:, SLICE] = np.array(gaps) / 2
-    membrane(march.buffer, fold, "G")[:] = medial
-    march.scalars[1] = THICKNESS_M / (NY - 1)
-    record = np.empty((1, len(RECORD)))
-    step_kernel(NX, NY, False)(march.buffer, march.scalars, np.array([pressure_pa]), 1, record[0])
-    return record[0, RECORD.index("glottal_flow_m3_s")] / fold.dx
+    membrane(march, "G")[:] = medial
+    march.buffer[march.layout.number("dy")] = THICKNESS_M / (NY - 1)
+    return advance(march, 1)[0, RECORD.index("glottal_flow_m3_s")] / glottis.walls[0].dx
 
 
 GAPS = st.lists(st.floats(2e-5, 4e-3), min_size=NY, max_size=NY)

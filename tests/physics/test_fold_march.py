@@ -19,7 +19,7 @@ COLUMN = {name: k for k, name in enumerate(RECORD)}
 
 def modal_march(dt=DEFAULT_STEP_S, pressure_pa=1000.0):
     march = TimeMarch(product_and_twin(**MODAL)[0], dt, pressure_pa)
-    march.start_flat()
+    march.start(0, None)
     return march
 
 
@@ -150,9 +150,9 @@ def test_a_cycle_read_back_equals_the_recorded_motion(dt):
     cycle = march.cycle(1700, 1934, 234)
     assert np.array_equal(march.buffer, buffer) and march.steps == 2100 * march.record_every
     assert cycle["cycle_time_s"] == pytest.approx(np.arange(1700, 1934) * DEFAULT_STEP_S, rel=1e-12)
-    fold, lines = march.fold, record[1700:1934]
+    [fold], lines = march.glottis.walls, record[1700:1934]
     G = fold.medial_plane_m.T
-    gap = 2 * np.maximum(G - cycle["cycle_w_m"], 0).min(axis=2)
+    gap = 2 * np.maximum(G - cycle["cycle_w_m"][0], 0).min(axis=2)
     area = np.trapezoid(gap, fold.x_m, axis=1)
     assert area == pytest.approx(lines[:, COLUMN["glottal_area_m2"]], rel=1e-12, abs=1e-20)
     assert area.max() > 1e-5 and area.min() == 0
@@ -162,9 +162,9 @@ def test_a_cycle_read_back_equals_the_recorded_motion(dt):
 
 
 def test_the_pressures_of_a_cycle_use_the_lung_pressure_of_that_time():
-    fold, _ = product_and_twin(**MODAL)
-    march = TimeMarch(fold, DEFAULT_STEP_S, 1000.0, rise_s=0.02)
-    march.start_flat()
+    glottis, _ = product_and_twin(**MODAL)
+    march = TimeMarch(glottis, DEFAULT_STEP_S, 1000.0, rise_s=0.02)
+    march.start(0, None)
     march.run(1000)
     cycle = march.cycle(300, 400, 10)
     inlet = cycle["cycle_aerodynamic_pressure_pa"][:, :, -1].max(axis=1)
@@ -177,4 +177,4 @@ def test_a_quarter_of_a_second_can_be_read_back():
     march.run(14_000)
     oldest = march.oldest_sample
     assert 0.25 <= (14_000 - oldest) * DEFAULT_STEP_S <= 0.25 + vfcore.fold.march.CHUNK_S
-    assert march.cycle(oldest, oldest + 100, 4)["cycle_w_m"].shape == (4, 20, 10)
+    assert march.cycle(oldest, oldest + 100, 4)["cycle_w_m"].shape == (1, 4, 20, 10)

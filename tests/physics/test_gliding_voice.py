@@ -128,7 +128,7 @@ def test_parameters_that_cannot_move_are_refused():
 
 def test_a_divergence_has_its_time():
     voice = Voice(vfcore.Simulation())
-    voice._gliding._buffer[:] *= np.nan
+    voice._gliding._march.buffer[:] *= np.nan
     with pytest.raises(DivergenceError, match="t = 10.000 ms"):
         voice.advance(vfcore.Simulation())
 

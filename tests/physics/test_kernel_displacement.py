@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from vfcore.kernels.displacement import displaced
+from vfcore.fold.displacement import displaced
 
 pytestmark = pytest.mark.kernel
 

@@ -9,22 +9,20 @@ from vfcore.fold.surface import surface_pressures
 P_S = 1000.0
 
 
-def fields(fold, w_m, v_m, pressure_pa=P_S):
+def fields(glottis, w_m, v_m, pressure_pa=P_S):
     """p_aero and p_col (nx, ny) of a twin state (nx, ny)."""
-    k = fold.constants
-    p_aero, p_col = np.full((2, fold.ny, fold.nx), np.nan)
+    k = glottis.walls[0].constants
+    p_aero, p_col = np.full((2, glottis.ny, glottis.nx), np.nan)
     surface_pressures(
-        np.ascontiguousarray(w_m.T),
+        glottis.walls[0].medial_plane_m - w_m.T,
         np.ascontiguousarray(v_m.T),
-        fold.medial_plane_m,
         pressure_pa,
         0.0,
-        fold.dy,
+        glottis.dy,
         k.alpha_s,
         0.5 * k.rho_a_kg_m3,
         12.0 * k.mu_a_pa_s,
-        k.K_col_pa_m,
-        k.C_col_pa_s_m,
+        *glottis.contact,
         p_aero,
         p_col,
     )
@@ -34,10 +32,10 @@ def fields(fold, w_m, v_m, pressure_pa=P_S):
 @pytest.mark.kernel
 @pytest.mark.parametrize("seed", range(4))
 def test_fields_of_a_rough_surface_equal_the_twin(seed):
-    fold, twin = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.02, nx=12, ny=6)
+    glottis, twin = product_and_twin(strain=0.057, a_ta=0.4, theta_g=0.02, nx=12, ny=6)
     state = random_state(twin, seed, size=2e-4)
     w_m, v_m = twin.whole(state.w_m), twin.whole(1e3 * state.v_m)
-    p_aero, p_col = fields(fold, w_m, v_m)
+    p_aero, p_col = fields(glottis, w_m, v_m)
     assert np.abs(p_aero - twin.flow(state.w_m, P_S).p_aero).max() < 1e-9 * P_S
     assert np.abs(p_col - twin.contact_pressure(state.w_m, 1e3 * state.v_m)).max() < 1e-9 * np.abs(p_col).max()
     assert 0 < np.count_nonzero(p_col) < p_col.size and np.count_nonzero(p_aero) > 5
@@ -45,11 +43,11 @@ def test_fields_of_a_rough_surface_equal_the_twin(seed):
 
 @pytest.mark.parametrize("shear", ["kelvin_voigt", "rotation"])
 def test_fields_along_a_voice_equal_the_twin(shear):
-    fold, twin = product_and_twin(**MODAL, shear=shear)
+    glottis, twin = product_and_twin(**MODAL, shear=shear)
     record = twin.run(twin.initial_state(), P_S, 0.0025 / 350 * 4, 700, keep_every=35)
     open_slices = closed_slices = 0
     for state in record.states:
-        p_aero, p_col = fields(fold, twin.whole(state.w_m), twin.whole(state.v_m))
+        p_aero, p_col = fields(glottis, twin.whole(state.w_m), twin.whole(state.v_m))
         air = twin.flow(state.w_m, P_S)
         assert np.abs(p_aero - air.p_aero).max() < 1e-9 * P_S
         assert np.abs(p_col - twin.contact_pressure(state.w_m, state.v_m)).max() < 1e-9 * max(1.0, np.abs(p_col).max())

@@ -7,7 +7,7 @@ from tests.support.fold_harness import MODAL, product_and_twin
 from vfcore.errors import Cancelled, DivergenceError
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.march_many import OF_EACH, MarchInput, march_many
-from vfcore.fold.statics import static_shape_of
+from vfcore.fold.statics import static_shapes_of
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 OPEN_BACK = {"strain": -0.004, "a_ta": 0.4, "theta_g": 0.192}
@@ -18,23 +18,23 @@ CASES = [*(case | {"theta_conv": conv} for conv in (0.02, 0.05) for case in SHAP
 
 
 def inputs(duration_s=0.02):
-    folds = [product_and_twin(**case)[0] for case in CASES]
+    glottises = [product_and_twin(**case)[0] for case in CASES]
     return [
         MarchInput(
-            fold,
+            glottis,
             DEFAULT_STEP_S,
             800.0 + 50.0 * k,
             duration_s,
             0.005 * (k % 3),
-            static_shape_of(fold) if k % 2 else None,
+            static_shapes_of(glottis) if k % 2 else None,
         )
-        for k, fold in enumerate(folds)
+        for k, glottis in enumerate(glottises)
     ]
 
 
 def alone(one):
-    march = TimeMarch(one.fold, one.time_step_s, one.pressure_pa, one.rise_s)
-    march.start_flat() if one.start is None else march.start_static(one.start)
+    march = TimeMarch(one.glottis, one.time_step_s, one.pressure_pa, one.rise_s)
+    march.start(0, one.start)
     return march.run(round(one.duration_s / one.sample_s))
 
 
@@ -68,9 +68,9 @@ def test_single_precision_is_the_same_voice_to_a_thousandth_through_onset():
 
 
 def test_a_fold_that_diverges_is_reported_as_alone_and_disturbs_no_other():
-    fold, _ = product_and_twin(**MODAL)
-    calm = MarchInput(fold, DEFAULT_STEP_S, 1000.0, 0.03)
-    wild = MarchInput(fold, DEFAULT_STEP_S, 1e8, 0.03)
+    glottis, _ = product_and_twin(**MODAL)
+    calm = MarchInput(glottis, DEFAULT_STEP_S, 1000.0, 0.03)
+    wild = MarchInput(glottis, DEFAULT_STEP_S, 1e8, 0.03)
     (_, first), (_, second), (_, third) = march_many([calm, wild, calm])
     with pytest.raises(DivergenceError) as caught:
         alone(wild)

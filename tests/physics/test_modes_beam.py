@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from vfcore.fold.assemble import beam_operator
 from vfcore.fold.constants import FoldConstants
-from vfcore.larynx.tissue.beam import beam_operator
+from vfcore.fold.terms.beam import beam_bands, beam_ends
 from vfcore.larynx.tissue.coefficients import coefficients
 
 POSED = coefficients(0.057, 0.4, FoldConstants())
@@ -19,9 +20,17 @@ CLAMPED_HINGED_ROOTS = (3.926602, 7.068583, 10.210176)  # tan βL = tanh βL
 FREE_ENDS = {"K_r_a_n_m": 0.0, "K_r_p_n_m": 0.0}
 
 
+def operator(nx, c, constants, theta_g):
+    """Matrix (nx−2, nx−2), N/m², and load (nx−2,), N/m, of the beam at a rest angle of 0.254 rad."""
+    dx, mu = c.length_m / (nx - 1), c.bending_stiffness_n_m2
+    springs = constants.K_r_a_n_m, constants.K_r_p_n_m
+    ends = beam_ends(dx, mu, c.stretch_ratio, c.prestress_moment_n_m, *springs, theta_g, 0.254)
+    return beam_operator(np.array(beam_bands(dx, c.beam_tension_n, mu, ends)), nx - 2)
+
+
 def frequencies(nx, c, **constants):
     """Natural angular frequencies of the beam alone, rad/s, ascending."""
-    matrix, _ = beam_operator(nx, c, FoldConstants(**constants), 0.0, 0.254)
+    matrix, _ = operator(nx, c, FoldConstants(**constants), 0.0)
     return np.sqrt(np.sort(np.linalg.eigvals(-matrix / c.beam_density_kg_m).real))
 
 
@@ -88,7 +97,7 @@ def test_a_spring_of_the_papers_size_at_both_ends_gives_the_roots_of_the_exact_c
 def test_end_moments_bend_a_hinged_beam_without_tension_into_a_parabola():
     """M̄ at both ends, no rotational springs: μ w'' = −M̄ all along, so w = M̄ x (L − x)/2μ: medial for M̄ > 0."""
     c = bending_only()
-    matrix, load = beam_operator(20, c, FoldConstants(**FREE_ENDS), 0.0, 0.254)
+    matrix, load = operator(20, c, FoldConstants(**FREE_ENDS), 0.0)
     x = np.linspace(0, c.length_m, 20)[1:-1]
     exact = c.prestress_moment_n_m * x * (c.length_m - x) / (2 * c.bending_stiffness_n_m2)
     assert np.linalg.solve(-matrix, load) == pytest.approx(exact, rel=1e-9)
@@ -98,11 +107,11 @@ def test_the_anterior_spring_acts_at_the_anterior_end_only():
     """At θ_g = θ_0 without prestress nothing loads the beam; a wider glottis turns the anterior end outwards."""
     calm = replace(POSED, prestress_moment_n_m=0.0)
     constants = FoldConstants()
-    _, load = beam_operator(20, calm, constants, 0.254, 0.254)
+    _, load = operator(20, calm, constants, 0.254)
     assert not load.any()
-    matrix, load = beam_operator(20, calm, constants, 0.154, 0.254)
+    matrix, load = operator(20, calm, constants, 0.154)
     shape = np.linalg.solve(-matrix, load)
     assert load[0] != 0 and not load[1:].any()
     assert abs(shape[:9]).max() > abs(shape[9:]).max()
-    matrix, wider = beam_operator(20, calm, constants, 0.354, 0.254)
+    matrix, wider = operator(20, calm, constants, 0.354)
     assert wider == pytest.approx(-load, rel=1e-9)

@@ -33,11 +33,11 @@ def modes_of(twin):
     return np.linalg.solve(system.K, system.load), squares, shapes * (SIZE_M / displacements)
 
 
-def ring(fold, twin, chosen, dt, steps, every):
+def ring(glottis, twin, chosen, dt, steps, every):
     """Modal coordinates (samples, modes) of a march that starts with amplitude 1 in each of ``chosen``."""
     rest, _, shapes = modes_of(twin)
     start = twin.unpack(rest + shapes[:, chosen].sum(axis=1), 0.0 * rest)
-    march = TimeMarch(fold, dt, 0.0)
+    march = TimeMarch(glottis, dt, 0.0)
     put_state(march, half_step_back(twin, start, dt))
     mass = np.diag(twin.linear_operators().M)
     weights = shapes * mass[:, None]
@@ -53,11 +53,11 @@ def ring(fold, twin, chosen, dt, steps, every):
 @pytest.mark.parametrize("shear", SHEARS)
 @pytest.mark.parametrize("posture", [WIDE_OPEN, WIDE_OPEN | {"strain": 0.23, "a_ta": 0.0}], ids=["modal", "stretched"])
 def test_each_mode_is_a_cosine_at_its_own_frequency(posture, shear):
-    fold, twin = product_and_twin(**posture, nx=12, ny=6, shear=shear, **NO_DAMPERS)
+    glottis, twin = product_and_twin(**posture, nx=12, ny=6, shear=shear, **NO_DAMPERS)
     chosen = np.r_[0:8, 20, 40]  # the lowest modes, and two short waves
     dt, every = PAPER_STEP_S, 8
     steps = round(20e-3 / dt / every) * every
-    coordinates = ring(fold, twin, chosen, dt, steps, every)
+    coordinates = ring(glottis, twin, chosen, dt, steps, every)
     omega = np.sqrt(modes_of(twin)[1][chosen])
     time = np.arange(len(coordinates)) * dt * every
     # The trapezoidal beam delays and the explicit membrane advances a phase by at most (ω dt)²/12 · ω t.
@@ -72,9 +72,9 @@ def test_each_mode_is_a_cosine_at_its_own_frequency(posture, shear):
 @pytest.mark.parametrize("shear", SHEARS)
 def test_the_lowest_frequencies_are_exact_to_a_part_in_ten_thousand(shear):
     """On the paper's grid, from the phase of each mode after 40 ms."""
-    fold, twin = product_and_twin(**WIDE_OPEN, shear=shear, **NO_DAMPERS)
+    glottis, twin = product_and_twin(**WIDE_OPEN, shear=shear, **NO_DAMPERS)
     chosen, dt, every = np.arange(6), PAPER_STEP_S, 16
-    coordinates = ring(fold, twin, chosen, dt, round(40e-3 / dt / every) * every, every)[:, chosen]
+    coordinates = ring(glottis, twin, chosen, dt, round(40e-3 / dt / every) * every, every)[:, chosen]
     exact = twin.mode_frequencies(6)
     time = np.arange(len(coordinates)) * dt * every
     for wave, frequency in zip(coordinates.T, exact, strict=True):

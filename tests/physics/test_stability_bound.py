@@ -8,9 +8,11 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin, put_state
+from vfcore.fold.assemble import Glottis
 from vfcore.fold.march import TimeMarch
+from vfcore.fold.material import FIELDS
 from vfcore.fold.stability import SAFETY, longest_stable_step_s
-from vfcore.fold.statics import static_shape_of
+from vfcore.fold.statics import static_shapes_of
 
 POSTURES = [MODAL, {"strain": 0.23, "a_ta": 0.0, "theta_g": 0.018}, {"strain": -0.315, "a_ta": 1.0, "theta_g": 0.0}]
 #: Each makes another term dominant: tension, contact spring, contact damper, coupling, foundation spring, its damper.
@@ -24,12 +26,12 @@ LEADING = [
 ]
 
 
-def growth(fold, twin, dt, steps=1500):
+def growth(glottis, twin, dt, steps=1500):
     """Factor by which a rough 1 pm disturbance of an equilibrium, with P_s = 0, grows in ``steps``."""
-    shape = static_shape_of(fold)
-    phi = np.diff(shape.w_m, axis=0)[:, 1:-1].T / fold.dy if fold.rotation else twin.zero_state().phi
+    [shape] = static_shapes_of(glottis)
+    phi = np.diff(shape.w_m, axis=0)[:, 1:-1].T / twin.dy if twin.shear == "rotation" else twin.zero_state().phi
     rest = twin.zero_state()._replace(w_m=shape.w_m[:, 1:-1].T, w_b=shape.w_b[1:-1], phi=phi)
-    march = TimeMarch(fold, dt, 0.0)
+    march = TimeMarch(glottis, dt, 0.0)
     rough = 1e-12 * np.random.default_rng(0).standard_normal(rest.w_m.shape)
     put_state(march, rest._replace(w_m=rest.w_m + rough, w_b=rest.w_b + rough[:, 0]))
     largest = 0.0
@@ -42,32 +44,43 @@ def growth(fold, twin, dt, steps=1500):
     return largest / 1e-12
 
 
-def everywhere_in_contact(fold):
-    return replace(fold, medial_plane_m=np.full_like(fold.medial_plane_m, -1e-3))
+def with_medial_plane_at(glottis, height_m):
+    """The same glottis with a flat medial plane at ``height_m``."""
+
+    def moved(fold):
+        fields = fold.fields.copy()
+        fields[FIELDS.index("G")] = height_m
+        return replace(fold, fields=fields)
+
+    return Glottis(tuple(map(moved, glottis.walls)))
 
 
-def nowhere_in_contact(fold):
-    return replace(fold, medial_plane_m=np.ones_like(fold.medial_plane_m))
+def everywhere_in_contact(glottis):
+    return with_medial_plane_at(glottis, -1e-3)
+
+
+def nowhere_in_contact(glottis):
+    return with_medial_plane_at(glottis, 1.0)
 
 
 @pytest.mark.parametrize("shear", SHEARS)
 @pytest.mark.parametrize("grid", [(20, 10), (12, 6)])
 @pytest.mark.parametrize("posture", POSTURES, ids=lambda posture: f"strain {posture['strain']}")
 def test_disturbances_do_not_grow_up_to_the_limit_and_grow_beyond_it(posture, grid, shear):
-    fold, twin = product_and_twin(**posture, nx=grid[0], ny=grid[1], shear=shear)
-    limit = longest_stable_step_s(fold)
-    assert growth(everywhere_in_contact(fold), twin, limit) < 100
-    assert growth(nowhere_in_contact(fold), twin, limit) < 100
-    assert growth(everywhere_in_contact(fold), twin, 1.1 * limit / SAFETY) > 1e4
+    glottis, twin = product_and_twin(**posture, nx=grid[0], ny=grid[1], shear=shear)
+    limit = longest_stable_step_s(glottis)
+    assert growth(everywhere_in_contact(glottis), twin, limit) < 100
+    assert growth(nowhere_in_contact(glottis), twin, limit) < 100
+    assert growth(everywhere_in_contact(glottis), twin, 1.1 * limit / SAFETY) > 1e4
 
 
 @pytest.mark.parametrize("constants", LEADING, ids=lambda constants: next(iter(constants)))
 def test_the_limit_is_safe_and_sharp_for_every_dominant_term(constants):
-    fold, twin = product_and_twin(**MODAL, nx=12, ny=6, **constants)
-    limit = longest_stable_step_s(fold)
-    assert growth(everywhere_in_contact(fold), twin, limit) < 100
-    assert growth(nowhere_in_contact(fold), twin, limit) < 100
-    assert growth(everywhere_in_contact(fold), twin, 1.3 * limit / SAFETY) > 1e4
+    glottis, twin = product_and_twin(**MODAL, nx=12, ny=6, **constants)
+    limit = longest_stable_step_s(glottis)
+    assert growth(everywhere_in_contact(glottis), twin, limit) < 100
+    assert growth(nowhere_in_contact(glottis), twin, limit) < 100
+    assert growth(everywhere_in_contact(glottis), twin, 1.3 * limit / SAFETY) > 1e4
 
 
 def spectral_radius(twin, dt, in_contact):
@@ -122,7 +135,7 @@ CONSTANTS = st.fixed_dictionaries(
 )
 @settings(max_examples=60, deadline=None)
 def test_no_mode_of_the_step_grows_at_the_limit_for_any_constants(constants, strain, a_ta, shear):
-    fold, twin = product_and_twin(strain, a_ta, 0.0, nx=7, ny=5, shear=shear, **constants)
-    limit = longest_stable_step_s(fold)
+    glottis, twin = product_and_twin(strain, a_ta, 0.0, nx=7, ny=5, shear=shear, **constants)
+    limit = longest_stable_step_s(glottis)
     for in_contact in (True, False):
         assert spectral_radius(twin, limit, in_contact) <= 1 + 1e-7

@@ -3,11 +3,18 @@
 import numpy as np
 import pytest
 
-from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin, with_constants
-from vfcore.fold.assemble import beam, membrane
+from tests.support.fold_harness import (
+    MODAL,
+    SHEARS,
+    advance,
+    beam,
+    get_state,
+    membrane,
+    product_and_twin,
+)
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import time_step_s
-from vfcore.fold.statics import static_shape_of
+from vfcore.fold.statics import static_shapes_of
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run
 
 POSTURES = {
@@ -31,8 +38,8 @@ CASES = pytest.mark.parametrize(
 
 @CASES
 def test_the_direct_solve_equals_the_twins_relaxation(posture, shear):
-    fold, twin = product_and_twin(**posture, shear=shear)
-    shape = static_shape_of(fold)
+    glottis, twin = product_and_twin(**posture, shear=shear)
+    [shape] = static_shapes_of(glottis)
     w_m, w_b = twin.static_shape_reference(error_m=1e-9)
     assert np.abs(shape.w_m.T - w_m).max() < 1e-6 * twin.k.L
     assert np.abs(shape.w_b - w_b).max() < 1e-6 * twin.k.L
@@ -40,23 +47,23 @@ def test_the_direct_solve_equals_the_twins_relaxation(posture, shear):
 
 @CASES
 def test_the_direct_solve_equals_the_damped_motion_from_flat(posture, shear):
-    fold, _ = product_and_twin(**posture, shear=shear)
-    shape, heavy = static_shape_of(fold), with_constants(fold, C_coup_pa_s_m=150.0, C_foun_pa_s=40.0)
+    glottis, twin = product_and_twin(**posture, shear=shear)
+    heavy, _ = product_and_twin(**posture, shear=shear, C_coup_pa_s_m=150.0, C_foun_pa_s=40.0)
+    [shape] = static_shapes_of(glottis)
     step = time_step_s(Run(), heavy)
     march = TimeMarch(heavy, step, 0.0)
-    march.start_flat()
+    march.start(0, None)
     advance(march, round(0.5 / step))
-    length = fold.coefficients.length_m
-    assert np.abs(membrane(march.buffer, fold) - shape.w_m).max() < 1e-6 * length
-    assert np.abs(beam(march.buffer, fold) - shape.w_b).max() < 1e-6 * length
+    assert np.abs(membrane(march) - shape.w_m).max() < 1e-6 * twin.k.L
+    assert np.abs(beam(march) - shape.w_b).max() < 1e-6 * twin.k.L
 
 
 @CASES
 def test_every_force_balances_at_the_static_shape(posture, shear):
     """Accelerations at the static shape, relative to that of a 1 nm displacement of the slowest mode."""
-    fold, twin = product_and_twin(**posture, shear=shear)
-    shape = static_shape_of(fold)
-    phi = np.diff(shape.w_m, axis=0)[:, 1:-1].T / fold.dy if shear == "rotation" else twin.zero_state().phi
+    glottis, twin = product_and_twin(**posture, shear=shear)
+    [shape] = static_shapes_of(glottis)
+    phi = np.diff(shape.w_m, axis=0)[:, 1:-1].T / twin.dy if shear == "rotation" else twin.zero_state().phi
     rest = twin.zero_state()._replace(w_m=shape.w_m[:, 1:-1].T, w_b=shape.w_b[1:-1], phi=phi)
     a_m, a_b, _ = twin.acceleration(rest, 0.0)
     scale = 1e-9 * (2 * np.pi * twin.mode_frequencies(1)[0]) ** 2
@@ -67,18 +74,18 @@ def test_every_force_balances_at_the_static_shape(posture, shear):
 @pytest.mark.parametrize("shear", SHEARS)
 @pytest.mark.parametrize("name", ["modal, closed", "wide open", "bowed"])
 def test_a_run_from_the_static_shape_without_pressure_stays_there(name, shear):
-    fold, _ = product_and_twin(**POSTURES[name], shear=shear)
-    shape, march = static_shape_of(fold), TimeMarch(fold, DEFAULT_STEP_S, 0.0)
-    march.start_static(shape)
+    glottis, _ = product_and_twin(**POSTURES[name], shear=shear)
+    shape, march = static_shapes_of(glottis)[0], TimeMarch(glottis, DEFAULT_STEP_S, 0.0)
+    march.start(0, [shape])
     advance(march, 700)
-    assert np.abs(membrane(march.buffer, fold) - shape.w_m).max() < 1e-12
+    assert np.abs(membrane(march) - shape.w_m).max() < 1e-12
     assert np.abs(get_state(march).w_b - shape.w_b[1:-1]).max() < 1e-12
     assert np.abs(shape.w_m).max() > 1e-5
 
 
 def test_the_ends_are_at_rest_and_the_shape_has_its_grid():
-    fold, twin = product_and_twin(**MODAL)
-    shape = static_shape_of(fold)
+    glottis, twin = product_and_twin(**MODAL)
+    [shape] = static_shapes_of(glottis)
     assert shape.w_m.shape == shape.medial_m.shape == (10, 20)
     assert not shape.w_m[:, [0, -1]].any() and not shape.w_b[[0, -1]].any()
     assert shape.x_m == pytest.approx(twin.x) and shape.y_m == pytest.approx(twin.y)
@@ -86,8 +93,8 @@ def test_the_ends_are_at_rest_and_the_shape_has_its_grid():
 
 
 def test_the_closure_is_that_of_the_smallest_gap_of_each_slice():
-    fold, _ = product_and_twin(**POSTURES["wide open"])
-    shape = static_shape_of(fold)
+    glottis, _ = product_and_twin(**POSTURES["wide open"])
+    [shape] = static_shapes_of(glottis)
     gap = 2 * np.maximum(shape.medial_m - shape.w_m, 0).min(axis=0)
     assert shape.closure.open_area_m2 == pytest.approx(np.trapezoid(gap, shape.x_m), rel=1e-12)
     assert shape.closure.pattern == "open"

@@ -116,7 +116,7 @@ class Balance(NamedTuple):
     @property
     def total(self) -> np.ndarray:
         """Energy of all terms, J."""
-        return sum(self.energy.values())
+        return np.sum(list(self.energy.values()), axis=0)
 
     def lost(self, dt: float) -> dict[str, float]:
         """Energy that each term took out from the first instant to the last, J (trapezoid rule)."""
@@ -135,7 +135,8 @@ def balance(glottis: GlottisTwin, motion: Iterable[States], P_s: float = 0.0) ->
     """The terms at each instant of ``motion``, whose velocities are at the time of the displacements."""
     energies, losses, gains = [], [], []
     for states in motion:
-        energy, loss = {}, {}
+        energy: dict[str, float] = {}
+        loss: dict[str, float] = {}
         for wall, state in zip(glottis.walls, states, strict=True):
             for into, terms in ((energy, tissue_energy(wall, state)), (loss, tissue_loss(wall, state))):
                 for name, value in terms.items():

@@ -35,7 +35,8 @@ class PlainMarch(TimeMarch):
 
     def run(self, samples, progress=None, stop=None):
         every = round(DEFAULT_STEP_S / PAPER_STEP_S)
-        plain = plain_run(self.fold, self.pressure_pa, samples * every * PAPER_STEP_S, PAPER_STEP_S)[::every]
+        [fold] = self.glottis.walls
+        plain = plain_run(fold, self.pressure_pa, samples * every * PAPER_STEP_S, PAPER_STEP_S)[::every]
         area, flow, largest = plain.T
         nowhere, none = np.full(samples, np.nan), np.zeros(samples)
         return np.column_stack([area, flow, largest, nowhere, none, np.full(samples, self.pressure_pa), none])

@@ -67,7 +67,7 @@ class AirTwin:
 
         along_x = np.full(nx, self.dx)
         along_x[[0, -1]] /= 2
-        return Flow(p_aero, gap, flow_per_width, d_min, j_sep, along_x @ d_min, along_x @ flow_per_width)
+        return Flow(p_aero, gap, flow_per_width, d_min, j_sep, float(along_x @ d_min), float(along_x @ flow_per_width))
 
     def mean_pressure(self, half, air: Flow, P_s: float, narrowest_before, pushed: float):
         """p_aero (nx, ny), Pa, averaged from half a step before to half a step after, as slices close and open.

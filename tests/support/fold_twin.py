@@ -30,7 +30,7 @@ class Record(NamedTuple):
     final: State
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FoldTwin(WallTwin):
     """One fold, facing its mirror image."""
 
@@ -47,6 +47,10 @@ class FoldTwin(WallTwin):
     def flow(self, w_m, P_s: float) -> Flow:
         """Flow in every slice; P_s in Pa."""
         return self.glottis.flow([self.zero_state()._replace(w_m=w_m)], P_s)
+
+    def mean_pressure(self, w_m, P_s: float, room_before, dt: float):
+        """p_aero averaged over the step, Pa, (nx, ny); ``room_before`` (nx,): smallest G - w one step before, m."""
+        return self.glottis.mean_pressure(self.medial - self.whole(w_m), self.flow(w_m, P_s), P_s, room_before, dt)
 
     def acceleration(self, state: State, P_s: float, contact: bool = True):
         """Accelerations (a_m, a_b, a_phi) of the three unknowns, shapes of the state, m/s² and rad/s²."""

@@ -89,6 +89,14 @@ class GlottisTwin:
     def flow(self, states: Sequence[State], P_s: float) -> Flow:
         return self.air.flow(self.half_gap(states), P_s)
 
+    def mean_pressure(self, h, air: Flow, P_s: float, narrowest_before, dt: float):
+        """p_aero averaged over the step (AirTwin.mean_pressure), Pa, (nx, ny); ``air``: the flow through ``h``.
+
+        The lung pressure moves each wall by P_s dt²/ρ_s in one step; ρ_s is that of the fold without patches.
+        """
+        pushed = self._mean(P_s * dt**2 / wall.k.rho_s for wall in self.walls)
+        return self.air.mean_pressure(h, air, P_s, narrowest_before, pushed)
+
     def acceleration(self, states: Sequence[State], P_s: float, contact: bool = True):
         """Accelerations (a_m, a_b, a_phi) of each wall, m/s² and rad/s², at the instantaneous air pressure."""
         pressure = self.flow(states, P_s).p_aero
@@ -141,11 +149,7 @@ class GlottisTwin:
             air, p_col = self.air.flow(h, P_now), self._contact_pressure(h, now)
             area[step], flow[step] = air.A_g_min, air.Q_g
             peak[step], peak_at[step] = largest(p_col, h < 0)
-            p_aero = air.p_aero
-            if leapfrog:
-                # The lung pressure moves each wall by P_s dt²/ρ_s in one step; ρ_s is that of the fold without patches.
-                pushed = self._mean(P_now * dt**2 / wall.k.rho_s for wall in self.walls)
-                p_aero = self.air.mean_pressure(h, air, P_now, narrowest, pushed)
+            p_aero = self.mean_pressure(h, air, P_now, narrowest, dt) if leapfrog else air.p_aero
             accelerations = self._accelerations(now, p_aero + p_col)
             narrowest = h.min(axis=1)
             mean_w[step] = [(cells * s.w_m).sum() for cells, s in zip(surface, now, strict=True)]

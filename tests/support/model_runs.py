@@ -142,8 +142,9 @@ def shapes() -> str:
     cases = [("modal", Activation())] + [(f"{name} {a:g}", make(a)) for name, values, make in series for a in values]
     rows = []
     for label, activation in cases:
-        posture, fold, static = prepare(Simulation(activation=activation))
-        lead = (static.w_m[-1] - static.w_m[0])[fold.nx // 2] * 1e3
+        ready = prepare(Simulation(activation=activation))
+        posture, static = ready.posture, ready.static
+        lead = (static.w_m[-1] - static.w_m[0])[ready.glottis.nx // 2] * 1e3
         bulge = static.w_m[0].max() * 1e3
         rows.append(
             (

@@ -98,7 +98,7 @@ def measured_voice(request: Simulation, kind: type[AirTwin]) -> MeasureReport:
         run.ny,
         air_law=kind,
     )
-    step_s = time_step_s(run, ready.fold)
+    step_s = time_step_s(run, ready.glottis)
     record = twin.run(twin.initial_state(), request.subglottal_pressure_pa, step_s, round(RUN_S / step_s))
     still = np.zeros_like(record.t)
     return measure_all(

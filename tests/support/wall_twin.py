@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from tests.support import stretch_twin
-from tests.support.coefficient_twin import coefficients
+from tests.support.coefficient_twin import TwinCoefficients, coefficients
 from vfcore.fold.constants import FoldConstants
 
 
@@ -55,7 +55,7 @@ class LinearSystem(NamedTuple):
     load: np.ndarray
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class WallTwin:
     """One fold at one posture on one grid. ``given``: fields that differ from those of a uniform fold, by name."""
 
@@ -70,6 +70,19 @@ class WallTwin:
     constants: FoldConstants = FoldConstants()
     stretch: str = "linear"
     given: dict[str, np.ndarray] = field(default_factory=dict)
+    # Follow from the above.
+    k: TwinCoefficients = field(init=False)
+    n: int = field(init=False)  # inner nodes along x
+    dx: float = field(init=False)
+    dy: float = field(init=False)
+    x: np.ndarray = field(init=False)
+    y: np.ndarray = field(init=False)
+    row_width: np.ndarray = field(init=False)  # height of the cell of each row, m
+    K_coup: np.ndarray = field(init=False)  # of each row of a uniform fold, Pa/m
+    fields: Fields = field(init=False)
+    medial: np.ndarray = field(init=False)  # G at the nodes, m
+    beam_operator: np.ndarray = field(init=False)  # (n, n), 1/s²
+    beam_load: np.ndarray = field(init=False)  # (n,), m/s²
 
     def __post_init__(self):
         def keep(name, value):
@@ -121,8 +134,8 @@ class WallTwin:
         keep("medial", self.fields.medial)
 
         stiffness_force, end_moment_force = self._beam_line_forces()
-        keep("beam_operator", stiffness_force / k.rho_l)  # (n, n), 1/s²
-        keep("beam_load", end_moment_force / k.rho_l)  # (n,), m/s²
+        keep("beam_operator", stiffness_force / k.rho_l)
+        keep("beam_load", end_moment_force / k.rho_l)
 
     def with_fields(self, **given: np.ndarray) -> Self:
         """The same fold with other fields."""
