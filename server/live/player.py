@@ -147,6 +147,8 @@ class Player:
         self._frame.clear()
 
     def _block(self) -> None:
+        if self._loading is not None and not self._loading.thread.is_alive():
+            self._loaded(self._loading)
         voice = self._voice
         target = self._target(voice.request)
         self._calm += 1
@@ -166,8 +168,6 @@ class Player:
 
     def _target(self, now: Simulation) -> Simulation:
         """The request that the next block ends at."""
-        if self._loading is not None and not self._loading.thread.is_alive():
-            self._loaded(self._loading)
         wanted = self._goal
         if not self._paths:
             target = now
