@@ -76,7 +76,7 @@ def step_seconds(rounds: int) -> dict[str, list[float]]:
     """Seconds of a step of each of FORMS and glottis, in ``rounds`` times LAPS·BUFFERS turns after a warm-up."""
     alone = {name: _alone(form) for name, form in FORMS.items() if form.precision is None}
     batches = {name: _batch(form) for name, form in FORMS.items() if form.precision is not None}
-    steps = {name: PART_S / DEFAULT_STEP_S for name in alone}
+    steps = dict.fromkeys(alone, PART_S / DEFAULT_STEP_S)
     steps |= {name: FORMS[name].glottises * BATCH_VOICE_S / DEFAULT_STEP_S for name in batches}
     took = turns(alone, rounds * LAPS * BUFFERS, TURN_S, time.thread_time)
     took |= turns(batches, rounds * LAPS, TURN_S, time.thread_time)
