@@ -35,10 +35,15 @@ def compile_everything() -> None:
         (kernel_directory() / _COMPLETE).touch()
 
 
-def compile_forms() -> None:
-    """Compile or load the further forms of the step that users meet first, each once, and maps of the human variant."""
+def load_forms() -> None:
+    """Compile or load the further forms of the step that users meet first, each once."""
     for request in FORMS_AHEAD:
         forms.load(forms.form_of(request))
+
+
+def compile_forms() -> None:
+    """Compile or load these forms, and maps of the human variant."""
+    load_forms()
     warm_up_points([HUMAN])
     for form in OF_MAPS:
         forms.load(form)  # which also marks it as compiled
