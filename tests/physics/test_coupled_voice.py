@@ -83,8 +83,11 @@ def test_with_wide_airways_the_voice_becomes_that_of_one_way_coupling():
     assert pressure[100.0] < 0.4 * pressure[25.0] and pressure[100.0] < 0.1 * P_S
 
 
-def test_the_voice_converges_at_second_order_in_the_time_step():
-    document = {"subglottal_pressure_pa": 600, "model": {"variant": "human", "coupling": "two_way"}}
+@pytest.mark.parametrize("stretch", ["linear", "finite"])
+def test_the_voice_converges_with_the_time_step(stretch):
+    """At second order with linear stretch; with finite stretch the errors are so small that no order shows."""
+    model = {"variant": "human", "coupling": "two_way", "stretch": stretch}
+    document = {"subglottal_pressure_pa": 600, "model": model}
     usual, half, finest = (
         simulate(resolve(document | {"run": {"duration_s": 0.5, "time_step_s": sections * SECTION_TRAVEL_S}})).report
         for sections in (4, 2, 1)  # steps that all allow the same tract; the default step is five sections
@@ -94,7 +97,8 @@ def test_the_voice_converges_at_second_order_in_the_time_step():
     for key, most in {"fo_hz": 0.003, "mean_flow_ml_s": 0.02, "ac_flow_ml_s": 0.02, "peak_area_mm2": 0.015}.items():
         fine = finest.measures[key].value
         own_apart, apart, nearer = (abs(report.measures[key].value / fine - 1) for report in (own, usual, half))
-        assert own_apart <= most and nearer <= apart / 4, key
+        assert own_apart <= most, key
+        assert nearer <= (apart / 4 if stretch == "linear" else most / 8), key
 
 
 def test_fields_of_a_cycle_lie_between_the_pressures_around_the_glottis():

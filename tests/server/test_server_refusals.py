@@ -299,3 +299,5 @@ def test_error_bars_come_with_an_answer_that_asks_for_them_and_count_as_work(cli
         assert server.client().post("/simulate", json={"run": {"duration_s": 0.3}}).status_code == 200
         detail = problem(server.client().post("/simulate", json=body), 422)["detail"]
         assert "finer runs of its error estimate" in detail and "node-steps" in detail
+        two = {"right": {"activation": {"ta": 0.1}}, "run": {"duration_s": 0.3}}  # 3.4e6
+        assert "on each of two folds" in problem(server.client().post("/simulate", json=two), 422)["detail"]

@@ -28,6 +28,7 @@ NUMBERS = (
     ),
     ("vfcore.fold.step", "LOOK_SAMPLES", "1", "recorded samples between two checks of the displacement"),
     ("vfcore.fold.assemble", "FLAT_BUMP_M", "m", "height of the initial bump of a flat start"),
+    ("vfcore.fold.assemble", "MEETING", "1", "relative distance below which two medial planes meet"),
     ("vfcore.fold.march", "CHUNK_NODE_STEPS", "1", "largest number of nodes × steps of a chunk"),
     ("vfcore.fold.march", "READABLE_S", "s", "voice before the end for which the fields of a cycle can be recomputed"),
     ("vfcore.runs.one", "PHASES", "1", "instants of the stored cycle"),

@@ -263,8 +263,24 @@ def fill(buffer: np.ndarray, layout: Layout, place: int, glottis: Glottis, time_
     for side, wall in enumerate(glottis.walls):
         offsets = _offsets(layout.form, side)
         inv_rho_s = 1.0 / wall.coefficients.membrane_density_kg_m2
-        place_wall(wall.fields, wall.bands, wall.numbers, inv_rho_s, time_step_s, offsets, place, work, buffer)
+        fields = wall.fields if side == 0 else _meeting(glottis.walls[0], wall)
+        place_wall(fields, wall.bands, wall.numbers, inv_rho_s, time_step_s, offsets, place, work, buffer)
     place_glottis(K_col, C_col, glottis.width_m, shared, _offsets(layout.form, 0), place, buffer)
+
+
+def _meeting(left: Fold, right: Fold) -> np.ndarray:
+    """The fields of the right wall, its medial plane exactly at the left one where the two meet to rounding.
+
+    Folds that close off the midline have planes of opposite sign there; the last digit of their sum must not decide
+    whether they touch.
+    """
+    plane, opposite = right.medial_plane_m, -left.medial_plane_m
+    met = (plane != opposite) & (np.abs(plane - opposite) < MEETING * np.abs(plane))
+    if not met.any():
+        return right.fields
+    fields = right.fields.copy()
+    fields[FIELDS.index("G")][met] = opposite[met]
+    return fields
 
 
 @lru_cache(maxsize=64)
@@ -321,4 +337,5 @@ def start_static(
             membranes(buffer, layout, "phi", side)[:-1, :, place] = np.diff(w, axis=0) / wall.dy
 
 
+MEETING = 1e-13  # relative distance below which two medial planes meet: rounding, and far below any opening
 FLAT_BUMP_M = 1e-9  # initial displacement of a flat start, as in an earlier version of the model
