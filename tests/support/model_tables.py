@@ -27,7 +27,7 @@ from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 #: The page of every table.
 PAGES = {
-    DOCS / "model" / "choices.md": ("variants",),
+    DOCS / "model" / "choices.md": ("variants", "stretch"),
     DOCS / "model" / "numerics.md": ("steps", "time steps", "grid", "separation"),
     DOCS / "reference" / "constants.md": ("constants", "joints", "muscles", "posture sets", "sources"),
     DOCS / "reference" / "lesions.md": ("lesions",),
