@@ -13,12 +13,12 @@ from dataclasses import asdict
 from vfcore.fold.form import StepForm
 from vfcore.runs.gesture import forms
 
-NICENESS = 10
+NICENESS = 5  # a user waits for it, but sound comes first
 LONGEST_S = 120.0
 
 
 def compile_outside(form: StepForm) -> bool:
-    """Compile a form in another process of low priority; whether that has worked. Returns when it has ended."""
+    """Compile a form in another process of lower priority; whether that has worked. Returns when it has ended."""
     command = [sys.executable, "-m", __spec__.name, json.dumps(asdict(form))]
     try:
         ended = subprocess.run(
