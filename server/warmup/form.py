@@ -8,6 +8,7 @@ import json
 import os
 import subprocess
 import sys
+from contextlib import suppress
 from dataclasses import asdict
 
 from vfcore.fold.form import StepForm
@@ -30,5 +31,6 @@ def compile_outside(form: StepForm) -> bool:
 
 
 if __name__ == "__main__":
-    os.setpriority(os.PRIO_PROCESS, 0, NICENESS)  # the voice process may have a high one
+    with suppress(AttributeError):  # where the system has priorities; that of the voice process may be high
+        os.setpriority(os.PRIO_PROCESS, 0, NICENESS)
     forms.load(StepForm(**json.loads(sys.argv[1])))
