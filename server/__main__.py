@@ -4,7 +4,7 @@ import argparse
 import sys
 
 from vocalis.server.serve import read_settings, serve
-from vocalis.server.warmup.compile import compile_everything
+from vocalis.server.warmup.compile import compile_everything, compile_forms
 
 
 def main() -> None:
@@ -20,6 +20,7 @@ def main() -> None:
     options = parser.parse_args()
     if options.warm:
         compile_everything()
+        compile_forms()
         sys.exit()
     serve(options.host, options.port, options.token, options.tls_cert, options.tls_key)
 

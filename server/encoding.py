@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from vfcore.errors import ParameterError
-from vfcore.runs.result import ARRAYS, SimulationResult
+from vfcore.runs.result import ARRAYS, OF_TWO_WALLS, SimulationResult, dims_of
 
 ALIGN = 4
 
@@ -18,10 +18,10 @@ def float32_bytes(array: np.ndarray) -> bytes:
     return np.ascontiguousarray(array, dtype="<f4").tobytes()
 
 
-def chosen_names(arrays: str | None) -> tuple[str, ...]:
-    """Array names from ``a,b``; all of them for None. ParameterError for a name no result has."""
+def chosen_names(arrays: str | None) -> tuple[str, ...] | None:
+    """Array names from ``a,b``; None for None, which stands for all. ParameterError for a name no result has."""
     if arrays is None:
-        return tuple(ARRAYS)
+        return None
     names = tuple(name.strip() for name in arrays.split(",") if name.strip())
     for name in names:
         if name not in ARRAYS:
@@ -29,22 +29,33 @@ def chosen_names(arrays: str | None) -> tuple[str, ...]:
     return names
 
 
-def bundle(document: dict[str, Any], result: SimulationResult, names: Iterable[str]) -> bytes:
+def array_of(result: SimulationResult, name: str, path: str) -> np.ndarray:
+    """An array of a result; ParameterError at ``path`` for one that only two different folds have."""
+    if name not in result.arrays:
+        raise ParameterError(
+            path, f"{name} needs two different folds, and here one is the mirror image of the other",
+            ", ".join(other for other in ARRAYS if other not in OF_TWO_WALLS),
+        )  # fmt: skip
+    return result.arrays[name]
+
+
+def bundle(document: dict[str, Any], result: SimulationResult, names: Iterable[str] | None) -> bytes:
     """One reply with everything: uint32 header length, JSON header, array data.
 
-    The header is ``document`` with ``arrays`` listing the chosen ones, each with its ``offset`` in bytes from the
-    start of the data, which follows the header; both are multiples of 4 (the header is padded with spaces).
+    ``names`` chooses the arrays, None is all that the result has; ParameterError as of ``array_of``. The header is
+    ``document`` with ``arrays`` listing the chosen ones, each with its ``offset`` in bytes from the start of the data,
+    which follows the header; both are multiples of 4 (the header is padded with spaces).
     """
     table, parts, offset = {}, [], 0
-    for name in names:
-        array, spec = result.arrays[name], ARRAYS[name]
+    for name in result.arrays if names is None else names:
+        array = array_of(result, name, "arrays")
         data = float32_bytes(array)
         table[name] = {
             "offset": offset,
             "shape": list(array.shape),
             "dtype": "float32",
-            "unit": spec.unit,
-            "dims": list(spec.dims),
+            "unit": ARRAYS[name].unit,
+            "dims": list(dims_of(name, array)),
         }
         parts.append(data)
         offset += len(data)

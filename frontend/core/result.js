@@ -17,13 +17,15 @@ export const LIVE_ARRAYS = [
 
 /**
  * `waves` start at `startS` (0 for a whole run). `fields` hold one cycle, shape (phases, nx, ny), and `cycle` says
- * when it was: `startS`, `periodS`, `complete` (false: nothing repeats, the fields are the last 10 ms).
+ * when it was: `startS`, `periodS`, `complete` (false: nothing repeats, the fields are the last 10 ms). Of two different
+ * folds x, y, medial and w are those of the left one.
  */
 export function makeResult({ header, arrays }, startS = 0) {
   const rate = header.provenance.sample_rate_hz;
   const times = arrays.cycle_time_s.data;
-  const [phases, nx, ny] = arrays.cycle_w_m.shape;
+  const [phases, nx, ny] = arrays.cycle_w_m.shape.slice(-3);
   const data = (name) => arrays[name].data;
+  const ofLeft = (name, size) => data(name).subarray(0, size); // the left fold comes first where the two differ
   return {
     id: header.id,
     state: header.phonation_state,
@@ -51,10 +53,10 @@ export function makeResult({ header, arrays }, startS = 0) {
       phases,
       nx,
       ny,
-      x: data("x_m"),
-      y: data("y_m"),
-      medial: data("medial_plane_m"),
-      w: data("cycle_w_m"),
+      x: ofLeft("x_m", nx),
+      y: ofLeft("y_m", ny),
+      medial: ofLeft("medial_plane_m", nx * ny),
+      w: ofLeft("cycle_w_m", phases * nx * ny),
       aero: data("cycle_aerodynamic_pressure_pa"),
       contact: data("cycle_contact_pressure_pa"),
       aeroRange: extent(data("cycle_aerodynamic_pressure_pa")),

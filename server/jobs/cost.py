@@ -1,8 +1,11 @@
-"""The cost of a run, known before it starts: nodes times steps, including the finer runs of an error estimate."""
+"""The cost of a run, known before it starts: nodes times steps, weighted by what a step does, including the finer
+runs of an error estimate.
+"""
 
 from dataclasses import replace
 
 from vfcore.errors import ParameterError
+from vfcore.runs.cost import node_steps, walls_of
 from vfcore.runs.error_estimate import companions
 from vfcore.runs.one import steps_of
 from vfcore.runs.setup import prepare
@@ -10,20 +13,20 @@ from vfcore.spec.simulation import Simulation
 
 
 def check_cost(request: Simulation, limit: float, setting: str) -> None:
-    """ParameterError when nx·ny·steps of all runs that ``request`` needs is above ``limit``, which ``setting`` names.
+    """ParameterError when all runs that ``request`` needs are more than ``limit`` node-steps, which ``setting`` names.
 
     Solves the posture, because the longest stable step depends on it: raises what ``prepare`` raises.
     """
     run = request.run
     runs = [run, *(one.run for one in companions(request))] if run.error_estimate else [run]
-    node_seconds = [one.nx * one.ny * one.duration_s for one in runs]
-    cost = sum(node_seconds) / run.step_s
+    walls = walls_of(request)
+    cost = sum(node_steps(request, one, run.step_s, walls) for one in runs)
     if cost <= limit:  # the steps can only be shorter than this, so a run above the limit needs no posture
         steps = steps_of(request, [prepare(replace(request, run=one)).glottis for one in runs])
-        cost = sum(work / step for work, step in zip(node_seconds, steps, strict=True))
+        cost = sum(node_steps(request, one, step, walls) for one, step in zip(runs, steps, strict=True))
     if cost > limit:
         raise ParameterError(
-            "run", f"{run.nx}×{run.ny} nodes for {run.duration_s:g} s"
+            "run", f"{run.nx}×{run.ny} nodes{' on each of two folds' if walls == 2 else ''} for {run.duration_s:g} s"
             f"{' and the finer runs of its error estimate' if len(runs) > 1 else ''} are {cost:.2g} node-steps",
             f"up to {limit:g} node-steps ({setting}): a shorter run, a coarser grid or a longer step",
         )  # fmt: skip

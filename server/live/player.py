@@ -2,19 +2,24 @@
 
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
 from vfcore.errors import ParameterError, VocalisError
+from vfcore.fold.form import StepForm
 from vfcore.io.audio import AUDIO_RATE_HZ, FULL_SCALE_PA
 from vfcore.io.result_document import json_text
+from vfcore.runs.gesture.forms import form_of, is_loaded
 from vfcore.runs.gesture.slew import come_or_gone, differences, is_near, slew_limited
 from vfcore.runs.gesture.voice import BLOCK_S, Voice, fixed_part_changed
 from vfcore.spec.paths import value_at
 from vfcore.spec.request import flat, patched
 from vfcore.spec.simulation import Simulation
 from vfcore.version import MODEL_VERSION
+from vocalis.server.live import forms
 from vocalis.server.live.client import GOING_AWAY, Client, ClientGone
+from vocalis.server.live.forms import Loading
 from vocalis.server.live.pace import EARLY_S, Pace
 from vocalis.server.live.protocol import BLOCK_SAMPLES, CONTROLS, SoundFrame, read_message
 from vocalis.server.live.recording import Recording
@@ -29,12 +34,19 @@ MOST_AT_ONCE = 4  # blocks a turn when a voice is late, because the others wait
 
 
 class Player:
-    """Plays until its client leaves: ``prepare`` once, then ``turn`` whenever it is ``due_s``."""
+    """Plays until its client leaves: ``prepare`` once, then ``turn`` whenever it is ``due_s``.
+
+    ``_wanted`` is the request in force, ``_goal`` the one that the voice moves towards: the same, except while the form
+    of the step that ``_wanted`` needs is loaded.
+    """
 
     def __init__(self, client: Client):
         self._client = client
         self._stopping = self._over = False
         self._wanted: Simulation = Simulation()
+        self._goal: Simulation = self._wanted
+        self._loading: Loading | None = None
+        self._record_when_loaded = False
         self._paths: tuple[str, ...] = ()
         self._made: Voice | None = None
         self._strobe = Strobe()
@@ -105,6 +117,7 @@ class Player:
     def _begin_playing(self) -> None:
         self._client.wait(FIRST_MESSAGE_S)
         self._receive()
+        forms.load(form_of(self._goal))
         self._begin()
         self._send({"type": "ready", "rate_hz": AUDIO_RATE_HZ, "block": BLOCK_SAMPLES,
                    "full_scale_pa": FULL_SCALE_PA, "model_version": MODEL_VERSION})  # fmt: skip
@@ -128,12 +141,14 @@ class Player:
         return self._made
 
     def _begin(self) -> None:
-        self._made = Voice(self._wanted, played=True)
+        self._made = Voice(self._goal, played=True)
         self._paths = ()
         self._strobe = Strobe()
         self._frame.clear()
 
     def _block(self) -> None:
+        if self._loading is not None and not self._loading.thread.is_alive():
+            self._loaded(self._loading)
         voice = self._voice
         target = self._target(voice.request)
         self._calm += 1
@@ -153,7 +168,7 @@ class Player:
 
     def _target(self, now: Simulation) -> Simulation:
         """The request that the next block ends at."""
-        wanted = self._wanted
+        wanted = self._goal
         if not self._paths:
             target = now
         elif all(is_near(now, wanted, path) for path in self._paths):
@@ -209,14 +224,57 @@ class Player:
             if (part := come_or_gone(self._wanted, wanted)) is not None:
                 raise ParameterError(part, "cannot come or go while the voice is played", "a new connection")
             self._pace.moved = True
-            self._paths = differences(voice.request, wanted)
-            self._calm = 0
         self._wanted = wanted
+        if voice is None:
+            self._goal = wanted
+        elif not self._head_for_wanted():
+            with suppress(ParameterError):  # what it moves may be absent until the form is loaded
+                goal = patched(self._goal, patch)
+                if voice.form_for(goal) == voice.form:
+                    self._head_for(goal)
+
+    def _head_for_wanted(self) -> bool:
+        """Let the voice move towards the request in force; False where it needs a form that is yet to be loaded."""
+        form = self._voice.form_for(self._wanted)
+        if form == self._voice.form or self._has_loaded(form):
+            self._head_for(self._wanted)
+            return True
+        return False
+
+    def _loaded(self, loading: Loading) -> None:
+        """Do what had to wait for a form."""
+        self._head_for_wanted()
+        if self._record_when_loaded:
+            self._record(True)
+        if self._loading is loading:
+            self._loading = None
+
+    def _has_loaded(self, form: StepForm) -> bool:
+        """Whether a form can be marched at once; if not, a thread loads it."""
+        if self._loading is not None and not self._loading.thread.is_alive():
+            if self._loading.form == form:
+                return True  # or could not be loaded: then it is compiled here
+            self._loading = None
+        if is_loaded(form):
+            return True
+        if self._loading is None:
+            self._loading = forms.load_in_thread(form)
+        return False
+
+    def _head_for(self, wanted: Simulation) -> None:
+        """Let the voice move towards a request."""
+        self._goal = wanted
+        self._paths = differences(self._voice.request, wanted)
+        self._calm = 0
 
     def _record(self, on: bool) -> None:
+        self._record_when_loaded = False
         if on:
+            if not self._has_loaded(form_of(self._goal)):
+                self._record_when_loaded = True
+                return
             self._begin()
-            self._recording = Recording(self._wanted)
+            self._recording = Recording(self._goal)
             self._first_recorded = self._sequence
         elif self._recording is not None:
             document = self._recording.document()

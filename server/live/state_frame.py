@@ -41,8 +41,9 @@ class StateFrame:
         return self._area[: self._count].reshape(-1)
 
     def text(self, state: dict, x_m: np.ndarray, w_m: np.ndarray, medial_m: np.ndarray) -> str:
-        """A frame as JSON: ``state``, the waves, and the folds at ``x_m`` (walls, nx), m: displacement and medial plane,
-        both (walls, ny, nx), m, at their edges. Of two different folds the right one is under ``right``."""
+        """A frame as JSON: ``state``, the waves, and the folds at ``x_m`` (walls, nx), m: displacement and medial
+        plane, both (walls, ny, nx), m, at their edges. Of two different folds the right one is under ``right``.
+        """
         state["spl_lips_db"] = rounded(level_db(self._lip[: self._count].reshape(-1)))
         state["wave_rate_hz"] = WAVE_RATE_HZ
         waves = 1e6 * np.array((self.area_m2[::WAVE_EVERY], self._flow[: self._count].reshape(-1)))

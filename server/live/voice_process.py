@@ -96,6 +96,7 @@ def serve_voices(control: Connection) -> None:
     with suppress(OSError, AttributeError):  # where it is allowed: sound comes before pictures
         os.setpriority(os.PRIO_PROCESS, 0, PRIORITY)
     from vocalis.server.live.client import Client
+    from vocalis.server.live.forms import load_compiled
     from vocalis.server.live.player import Player
     from vocalis.server.warmup.live import warm_up_voice
 
@@ -106,6 +107,7 @@ def serve_voices(control: Connection) -> None:
     gc.collect()
     gc.freeze()  # later collections look only at what voices leave behind, which takes a moment
     control.send(READY)
+    threading.Thread(target=load_compiled, name="form", daemon=True).start()
     players: dict[int, Player] = {}
     sending = threading.Lock()
 

@@ -18,7 +18,7 @@ Partial = Annotated[bool, Query(description="of a sweep that is not finished: th
 _PROBLEMS = problems(404, 409, 410, 422)
 _ARRAY_HEADERS = {
     "X-Shape": "lengths of the axes, comma between",
-    "X-Dims": "names of the axes",
+    "X-Dims": "names of the axes; where the folds differ, `side` (left, right) first for what belongs to one of them",
     "X-Unit": "unit of the values",
     "X-Sample-Rate-Hz": "of waveforms: values per second",
 }
@@ -48,7 +48,7 @@ def array(
     stop: Annotated[int | None, Query(ge=0, description="index after the last")] = None,
     stride: Annotated[int, Query(ge=1, le=10**9)] = 1,
 ) -> Response:
-    """One array, or every ``stride``-th entry of a part of it."""
+    """One array, or every ``stride``-th entry of a part of its first axis."""
     job = shared.jobs.job(job_id)
     return _response(kind_named(job.kind).array(job, shared.storage, name, Part(start, stop, stride)))
 

@@ -127,10 +127,30 @@ class StaticShape(BaseModel):
     closure_pattern: ClosurePattern
 
 
-class PostureAnswer(BaseModel):
+class FoldAnswer(BaseModel):
+    """One fold: its posture, coefficients and static shape."""
+
     posture: Posture
     coefficients: Coefficients
     static_shape: StaticShape
+
+
+class Sides(BaseModel):
+    """Two different folds, each from its own side of the midline."""
+
+    left: FoldAnswer
+    right: FoldAnswer
+
+
+_OF_FOLDS = "of two different folds {}"
+_SIDES: Any = Field(None, description="each fold where the two differ; left out where one is the other's mirror image")
+
+
+class PostureAnswer(BaseModel):
+    posture: Posture = Field(description=_OF_FOLDS.format("the mean of every number"))
+    coefficients: Coefficients = Field(description=_OF_FOLDS.format("those of the left one"))
+    static_shape: StaticShape = Field(description=_OF_FOLDS.format("that of the left one"))
+    sides: Sides | None = _SIDES
 
 
 class NeighboursAnswer(BaseModel):
@@ -147,7 +167,9 @@ class ArrayInfo(BaseModel):
     shape: list[int]
     dtype: Literal["float32"]
     unit: str
-    dims: list[str]
+    dims: list[str] = Field(
+        description="names of the axes; where the folds differ, `side` (left, right) first for what belongs to one"
+    )
 
 
 class ErrorLevel(BaseModel):
@@ -186,9 +208,10 @@ class Result(BaseModel):
     periodicity: float | None
     measures: dict[str, MeasuredValue]
     error_estimate: ErrorEstimateAnswer | None = Field(description="null unless the request has `run.error_estimate`")
-    posture: Posture
-    coefficients: Coefficients
-    static_shape: StaticShape
+    posture: Posture = Field(description=_OF_FOLDS.format("the mean of every number"))
+    coefficients: Coefficients = Field(description=_OF_FOLDS.format("those of the left one"))
+    static_shape: StaticShape = Field(description=_OF_FOLDS.format("that of the left one"))
+    sides: Sides | None = _SIDES
     arrays: dict[ArrayName, ArrayInfo]
     provenance: dict[str, Any]
 

@@ -11,7 +11,14 @@ from vfcore.runs.one import simulate
 from vfcore.runs.setup import prepare
 from vfcore.version import MODEL_VERSION
 from vocalis.server.exceptions import NotReady
-from vocalis.server.warmup.compile import compile_in_background
+from vocalis.server.warmup.compile import (
+    compile_everything,
+    compile_forms,
+    everything_is_compiled,
+    forms_are_compiled,
+    in_background,
+    load_forms,
+)
 from vocalis.server.warmup.requests import COUPLED, IRREGULAR, PERIODIC
 
 log = logging.getLogger("vocalis")
@@ -34,11 +41,13 @@ class Kernels:
         return self._runs.is_set()
 
     def start(self, then: Callable[[], None] = lambda: None) -> None:
-        """Compile in a thread, and the less urgent kernels in a process; the thread then calls ``then``."""
+        """Compile in a thread, and the less urgent kernels in processes: first those of maps and live voices, after
+        which the thread calls ``then``, and then further forms of the step.
+        """
         threading.Thread(target=self._compile_all, args=(then,), name="compile", daemon=True).start()
 
     def close(self) -> None:
-        """End the process that compiles the less urgent kernels."""
+        """End the process that compiles less urgent kernels."""
         self._closed = True
         if self._background is not None:
             self._background.kill()
@@ -65,12 +74,21 @@ class Kernels:
         self.compile()
         if self._failed or self._closed:
             return
-        self._background = compile_in_background()
-        if self._background is not None:
-            self._background.join()
+        if not everything_is_compiled():
+            self._wait_for(compile_everything)
+        if self._closed:
+            return
+        then()
+        simulate(COUPLED)  # loads its kernels, so that the first coupled run does not wait for that
+        if not forms_are_compiled():
+            self._wait_for(compile_forms)
         if not self._closed:
-            then()
-            simulate(COUPLED)  # loads its kernels, so that the first coupled run does not wait for that
+            load_forms()
+
+    def _wait_for(self, compiles: Callable[[], None]) -> None:
+        """Compile in another process, and return when it has ended."""
+        self._background = in_background(compiles)
+        self._background.join()
 
     async def for_postures(self) -> None:
         """Return when postures can be solved; NotReady when that takes too long or has failed."""

@@ -5,9 +5,11 @@ import json
 
 import pytest
 
+from vfcore.spec.lesions import Lesion
 from vfcore.spec.presets import PRESETS
 from vfcore.spec.request import resolve
 from vfcore.spec.schema import parameter_schema
+from vfcore.spec.sides import folds_of
 from vfcore.spec.simulation import Simulation
 from vocalis.cli.main import main
 from vocalis.cli.options import POSTURE_OPTIONS, SHAPE_OPTIONS, SIMULATE_OPTIONS
@@ -98,6 +100,10 @@ def test_a_preset_is_not_changed_by_what_is_set_on_top(request_of):
         ('run.start="static"', lambda r: r.run.start, "static"),
         ("run.time_step_s=null", lambda r: r.run.time_step_s, None),
         ("posture.strain=0.2", lambda r: r.posture.strain, 0.2),
+        ("right.activation.ta=0.1", lambda r: [fold.activation.ta for fold in folds_of(r)], [0.4, 0.1]),
+        ('left={"posture": {"strain": 0.1}}', lambda r: folds_of(r)[0].posture.strain, 0.1),
+        ("lesions.0.kind=scar", lambda r: r.lesions, (Lesion(kind="scar"),)),
+        ('lesions=[{"kind": "polyp", "side": "left"}]', lambda r: r.lesions, (Lesion("left", "polyp"),)),
         ('run={"nx": 12, "ny": 6}', lambda r: (r.run.nx, r.run.ny), (12, 6)),
     ],
 )

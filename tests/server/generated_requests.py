@@ -56,7 +56,9 @@ def check(case, target, ask_for_the_job: bool) -> int:
 
 
 def cheap(body: dict) -> None:
-    """Make runs that would be taken short, and keep them on the one compiled grid; what is wrong stays wrong."""
+    """Make runs that would be taken short, and keep them to few compiled forms of the step: one grid, the equations of
+    a model only without sides and lesions, finer grids only for the default model; what is wrong stays wrong.
+    """
     if body.get("kind") == "sweep":
         body["base"] = body.get("base") or {}
         if "run." in str(body.get("axes")) + str(body.get("points")):
@@ -64,7 +66,11 @@ def cheap(body: dict) -> None:
         body = body["base"]
     if not isinstance(body, dict):
         return
+    if any(body.get(name) for name in ("left", "right", "lesions")):
+        body.pop("model", None)
     run = body.setdefault("run", {})
+    if isinstance(run, dict) and any(body.get(name) for name in ("model", "left", "right", "lesions")):
+        run.pop("error_estimate", None)
     if isinstance(run, dict) and isinstance(run.setdefault("duration_s", SHORTEST_S), int | float):
         run["duration_s"] = min(run["duration_s"], SHORTEST_S)
         for name in ("nx", "ny", "time_step_s", "pressure_rise_s"):

@@ -11,12 +11,17 @@ from tests.server.live_server import SHORT
 from vfcore.airways.coupled import tract_of
 from vfcore.airways.resonances import closed_glottis_formants
 from vfcore.airways.tract import vowel_tract
-from vfcore.runs.result import ARRAYS
+from vfcore.runs.result import ARRAYS, OF_TWO_WALLS
 from vfcore.runs.setup import prepare
 from vfcore.spec.address import address
-from vfcore.spec.paths import NUMBERS
+from vfcore.spec.lesions import KINDS
+from vfcore.spec.paths import NUMBERS, NUMBERS_BEYOND
 from vfcore.spec.request import document_of, resolve, values_of
+from vfcore.spec.sides import folds_of
 from vfcore.spec.variants import VARIANTS
+from vocalis.server.schemas.neighbours import NeighboursBody, requests_of
+from vocalis.server.schemas.requests import GestureBody, JobBody, gesture_of, simulation_of
+from vocalis.server.schemas.sweeps import SweepBody, sweep_of
 
 AS_BYTES = {"Accept": "application/octet-stream"}
 
@@ -37,6 +42,17 @@ def test_parameters_lists_every_number_a_request_may_set(client):
     assert set(NUMBERS) <= set(rows)
     assert {"key", "label", "unit", "default", "min", "max", "step", "group", "help"} <= set(rows["activation.ta"])
     assert {"presets", "vowels", "variants"} <= set(answer)
+    assert answer["sides"] == ["left", "right"]
+    per_side = {f"{side}.{key}" for side in answer["sides"] for key, row in rows.items() if row["per_side"]}
+    in_lists = {
+        f"{of['key']}.{k}.{row['key']}"
+        for of in answer["lists"]
+        for k in range(of["at_most"])
+        for row in of["parameters"]
+        if row["unit"]
+    }
+    assert per_side | in_lists == set(NUMBERS_BEYOND)
+    assert {kind["key"] for kind in answer["lesion_kinds"]} == set(KINDS)
     assert "modal" in [preset["key"] for preset in answer["presets"]]
 
 
@@ -95,7 +111,7 @@ def test_simulate_answers_the_result_document_and_an_id(client, python_result):
     assert set(answer["measures"]) == set(vfcore.CATALOGUE.keys())
     for key, measure in python_result.report.measures.items():
         assert answer["measures"][key] == {"value": measure.value, "unit": measure.unit, "reason": measure.reason}
-    assert set(answer["arrays"]) == set(ARRAYS)
+    assert set(answer["arrays"]) == set(ARRAYS).difference(OF_TWO_WALLS)
     assert answer["arrays"]["cycle_w_m"]["shape"] == [100, 20, 10]
     assert answer["provenance"]["model_version"] == vfcore.MODEL_VERSION
     assert client.get(f"/jobs/{answer['id']}/result").json()["measures"] == answer["measures"]
@@ -127,7 +143,7 @@ def test_bytes_carry_every_array_of_the_python_result(client, python_result):
     assert answer.headers["content-type"] == "application/octet-stream"
     header, arrays = read_bundle(answer.content)
     assert header["phonation_state"] == python_result.report.state and header["id"]
-    assert set(arrays) == set(ARRAYS)
+    assert set(arrays) == set(ARRAYS).difference(OF_TWO_WALLS)
     for name, array in arrays.items():
         np.testing.assert_array_equal(array, python_result.arrays[name].astype(np.float32), err_msg=name)
         assert header["arrays"][name]["unit"] == ARRAYS[name].unit
@@ -181,7 +197,7 @@ def test_a_variant_brings_its_coupling_over_http(client):
 
 def test_an_answer_repeats_the_request_as_it_was_made(client):
     """A voice spelled out by its constants is the variant's voice, computed once; each answer names its own request."""
-    spelled = {"model": {"coupling": "two_way"}, "constants": dict(VARIANTS["human"].overrides)}
+    spelled = {"model": {"coupling": "two_way", "stretch": "finite"}, "constants": dict(VARIANTS["human"].overrides)}
     run = {"run": {"duration_s": 0.02}}
     named, by_constants = (
         client.post("/simulate", json=body | run).json() for body in ({"model": {"variant": "human"}}, spelled)
@@ -200,7 +216,8 @@ NULLS = [(path, part) for path in ("/simulate", "/posture", "/jobs", "/gestures"
 def test_a_part_that_is_null_is_refused(client, path, part):
     answer = client.post(path, json={part: None})
     assert answer.status_code == 422 and [error["path"] for error in answer.json()["errors"]] == [part]
-    assert client.post("/posture", json={"posture": None}).status_code == 200
+    optional = {"posture": None, "left": None, "right": {"posture": None}}
+    assert client.post("/posture", json=optional).status_code == 200
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
@@ -212,3 +229,38 @@ def test_a_request_is_resolved_as_the_core_resolves_it(client, variant):
     assert resolve(answer["patch"]) == wanted == resolve(answer["request"])
     assert client.post("/simulate", json=body).json()["id"] == answer["id"] == address(wanted)
     assert client.post("/resolve", json={"activation": {"ta": 9}}).json()["errors"][0]["path"] == "activation.ta"
+
+
+TWO_FOLDS = {
+    "right": {"activation": {"ta": 0.1}, "constants": {"K_col_pa_m": 2e6}, "posture": {"strain": 0.1}},
+    "lesions": [{"kind": "nodule"}, {"kind": "polyp", "side": "left", "height_mm": 1}],
+}
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_sides_and_lesions_are_resolved_as_the_core_resolves_them(client, variant):
+    body = {"model": {"variant": variant}} | TWO_FOLDS
+    answer, wanted = client.post("/resolve", json=body).json(), resolve(body)
+    assert len(folds_of(wanted)) == 2
+    assert answer["values"] == values_of(wanted) and answer["request"] == document_of(wanted)
+    assert resolve(answer["patch"]) == wanted == resolve(answer["request"]) and answer["id"] == address(wanted)
+    by_position = body | {"lesions": {"0": body["lesions"][0], "1": body["lesions"][1]}}
+    assert client.post("/resolve", json=by_position).json() == answer, "as the page has them"
+    mirrored = {"left": TWO_FOLDS["right"], "right": TWO_FOLDS["right"]}
+    assert client.post("/resolve", json=mirrored).json()["id"] == address(resolve(TWO_FOLDS["right"]))
+
+
+def test_every_body_takes_sides_and_lesions():
+    wanted = resolve(TWO_FOLDS)
+    objects = JobBody.model_json_schema()["$defs"]
+    assert set(objects["SideBody"]["properties"]) == {"activation", "constants", "convergence_angle_rad", "posture"}
+    assert "K_col_pa_m" in (own := objects["ConstantsSideBody"]["properties"]) and "rho_a_kg_m3" not in own
+    assert simulation_of(JobBody.model_validate(TWO_FOLDS)) == wanted
+    axis = {"parameter": "right.activation.ta", "values": [0.1, 0.2]}
+    sweep = sweep_of(SweepBody.model_validate({"kind": "sweep", "base": TWO_FOLDS, "axes": [axis]}))
+    assert sweep.request(0) == wanted and folds_of(sweep.request(1))[1].activation.ta == 0.2
+    row = NeighboursBody.model_validate({"base": TWO_FOLDS, "parameter": "lesions.1.height_mm", "values": [1, 0.5]})
+    assert [request.lesions[1].height_mm for request in requests_of(row)] == [1, 0.5] and requests_of(row)[0] == wanted
+    moving = {"right": {"activation": {"ta": [[0, 0.1], [1, 0.3]]}}, "lesions": [{"x": [[0, 0.4], [1, 0.6]]}]}
+    half = gesture_of(GestureBody.model_validate(moving)).at(0.5)
+    assert half.lesions[0].x == 0.5 and [fold.activation.ta for fold in folds_of(half)] == [0.4, 0.2]

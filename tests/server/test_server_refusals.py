@@ -31,6 +31,17 @@ def problem(answer, status: int) -> dict:
         ({"constants": {"LCA_epsilon_2": -1}}, "constants.LCA_epsilon_2", "to 1"),
         ({"vowel": "x"}, "vowel", "i | I"),
         ({"kind": "song"}, "kind", "simulation"),
+        ({"right": {"activation": {"ta": 2}}}, "right.activation.ta", "0 to 1"),
+        ({"left": {"constants": {"TA_epsilon_2": -1}}}, "left.constants.TA_epsilon_2", "to 1"),
+        ({"left": {"constants": {"rho_a_kg_m3": 1}}}, "left.constants.rho_a_kg_m3", "constants.rho_a_kg_m3, for both"),
+        ({"left": {"nerves": 1}}, "left.nerves", "activation, constants"),
+        ({"left": {"activation": None}}, "left.activation", "an object with ct, ia"),
+        ({"lesions": [{}, {"x": 2}]}, "lesions.1.x", "0 to 1"),
+        ({"lesions": [{"kind": "wart"}]}, "lesions.0.kind", "nodule | polyp"),
+        ({"lesions": [{"colour": 1}]}, "lesions.0.colour", "height_mm, kind"),
+        ({"lesions": [3]}, "lesions.0", "an object with height_mm"),
+        ({"lesions": None}, "lesions", "a list of up to 8 objects"),
+        ({"lesions": [{}] * 9}, "lesions", "a list of up to 8 objects"),
     ],
 )
 def test_a_bad_field_is_named_with_what_it_takes(client, path, body, field, allowed):
@@ -51,6 +62,17 @@ def test_a_sweep_is_a_job_and_nothing_else(client, path):
     ]
 
 
+def test_what_both_sides_share_is_refused_on_one_with_the_reason(client):
+    body = {"left": {"constants": {"rho_a_kg_m3": 1}}}
+    for path, sent, field in (
+        ("/posture", body, "left.constants.rho_a_kg_m3"),
+        ("/jobs", {"kind": "sweep", "base": body, "points": [{}]}, "base.left.constants.rho_a_kg_m3"),
+    ):
+        (found,) = problem(client.post(path, json=sent), 422)["errors"]
+        assert found["path"] == field
+        assert found["message"] == "is common to both sides: one stream of air passes between the folds"
+
+
 SWEEP = {"kind": "sweep", "axes": [{"parameter": "activation.ct", "values": [0.1]}]}
 ROW = {"parameter": "activation.ct", "values": [0.1]}
 
@@ -67,8 +89,8 @@ ROW = {"parameter": "activation.ct", "values": [0.1]}
         ("/jobs", SWEEP | {"base": {"foo": 1}}, "base.foo", "run, subglottal_pressure_pa, vowel", "axes"),
         ("/jobs", SWEEP | {"base": {"run": {"foo": 1}}}, "base.run.foo", "duration_s", "vowel"),
         ("/postures", ROW | {"foo": 1}, "foo", "base, parameter, values", "vowel"),
-        ("/postures", ROW | {"base": {"run": {}}}, "base.run", "posture, subglottal_pressure_pa", "run"),
-        ("/posture", {"run": {}}, "run", "posture, subglottal_pressure_pa", "run"),
+        ("/postures", ROW | {"base": {"run": {}}}, "base.run", "posture, right, subglottal_pressure_pa", "run"),
+        ("/posture", {"run": {}}, "run", "posture, right, subglottal_pressure_pa", "run"),
         ("/resolve", {"sweep": 1}, "sweep", "run, subglottal_pressure_pa, vowel", "axes"),
         ("/resolve", {"str": 1}, "str", "run, subglottal_pressure_pa, vowel", "axes"),
         ("/resolve", {"posture": {"foo": 1}}, "posture.foo", "strain", "vowel"),
@@ -277,3 +299,5 @@ def test_error_bars_come_with_an_answer_that_asks_for_them_and_count_as_work(cli
         assert server.client().post("/simulate", json={"run": {"duration_s": 0.3}}).status_code == 200
         detail = problem(server.client().post("/simulate", json=body), 422)["detail"]
         assert "finer runs of its error estimate" in detail and "node-steps" in detail
+        two = {"right": {"activation": {"ta": 0.1}}, "run": {"duration_s": 0.3}}  # 3.4e6
+        assert "on each of two folds" in problem(server.client().post("/simulate", json=two), 422)["detail"]

@@ -99,6 +99,16 @@ def variants() -> str:
     return runs("shear, gradient, grid", cases, SOURCE)
 
 
+def stretch() -> str:
+    """The modal case with constant tension and with one that grows with the swing, at rising lung pressure."""
+    cases = [
+        (f"{p} Pa, `{form}`", Simulation(model=Model(stretch=form), subglottal_pressure_pa=p))
+        for p in (400, 700, 1000, 1500, 2000)
+        for form in ("linear", "finite")
+    ]
+    return runs("$P_s$, stretch", cases, (*SOURCE, "spl_30cm_db"))
+
+
 def pressures() -> str:
     cases = ((f"{p}", Simulation(subglottal_pressure_pa=p)) for p in (150, 200, 300, 500, 1000, 2000))
     columns = (*SOURCE, "spl_lips_db", "spl_30cm_db")
@@ -174,6 +184,7 @@ def shapes() -> str:
 RUNS = {
     "modal": modal, "shapes": shapes, "closed": closed, "grid": grid,
     "separation": separation, "time steps": time_steps, "variants": variants,
+    "stretch": stretch,
     "pressures": pressures, "damping": damping, "pca": pca,
 }  # fmt: skip
 

@@ -19,6 +19,7 @@ from vfcore.fold.stability import longest_stable_step_s, time_step_s
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.setup import prepare
 from vfcore.spec.joints import JointConstants
+from vfcore.spec.lesions import KINDS, LesionKind
 from vfcore.spec.muscles import Muscle
 from vfcore.spec.posture_sets import POSTURE_SETS, posture_set
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
@@ -26,9 +27,10 @@ from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 #: The page of every table.
 PAGES = {
-    DOCS / "model" / "choices.md": ("variants",),
+    DOCS / "model" / "choices.md": ("variants", "stretch"),
     DOCS / "model" / "numerics.md": ("steps", "time steps", "grid", "separation"),
     DOCS / "reference" / "constants.md": ("constants", "joints", "muscles", "posture sets", "sources"),
+    DOCS / "reference" / "lesions.md": ("lesions",),
     DOCS / "reference" / "measures.md": ("measures", "closed"),
     DOCS / "reference" / "numbers.md": ("numbers",),
     DOCS / "validation.md": ("modal", "shapes", "pca", "pressures", "damping"),
@@ -85,11 +87,19 @@ def _constants(kind) -> str:
             number(f.default),
             f.metadata["unit"],
             f"{number(f.metadata['low'])} to {number(f.metadata['high'])}",
+            "both" if f.metadata["common"] else "each",
             f.metadata["source"],
         )
         for f in dataclasses.fields(kind)
     )
-    return table(("symbol", "meaning", "name", "value", "unit", "accepted", "source"), rows)
+    return table(("symbol", "meaning", "name", "value", "unit", "accepted", "side", "source"), rows)
+
+
+def lesions() -> str:
+    """The numbers that each kind of lesion brings, and why."""
+    names = [f.name for f in dataclasses.fields(LesionKind) if f.name not in ("label", "why")]
+    rows = ((f"`{key}`", *(number(getattr(kind, name)) for name in names), kind.why) for key, kind in KINDS.items())
+    return table(("kind", *(f"`{name}`" for name in names), "why"), rows)
 
 
 def muscles() -> str:
@@ -154,6 +164,7 @@ TABLES = {
     "posture sets": posture_sets,
     "sources": sources,
     "numbers": numbers,
+    "lesions": lesions,
     "steps": steps,
 }
 

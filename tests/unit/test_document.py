@@ -9,6 +9,7 @@ import pytest
 
 import vfcore
 from vfcore.io.result_document import json_text, posture_document, result_document
+from vfcore.io.stored import load_result, save_result
 from vfcore.measures.measure import Measure
 from vfcore.runs.one import simulate
 from vfcore.runs.setup import prepare
@@ -94,10 +95,81 @@ def test_a_measure_that_is_not_finite_becomes_null_with_a_reason(modal, value):
 
 
 def test_any_other_number_that_is_not_finite_becomes_null_with_its_path(modal):
-    broken = dataclasses.replace(modal, posture=dataclasses.replace(modal.posture, residual=math.nan))
+    broken = dataclasses.replace(modal, postures=(dataclasses.replace(modal.posture, residual=math.nan),))
     document = result_document(broken)
     assert document["posture"]["residual"] is None
     assert "finite" in document["null_reasons"]["posture.residual"]
+
+
+def test_two_different_folds_are_documented_each_and_as_one():
+    """The larynx as a whole has the mean posture; the fold that is shown is the left one."""
+    postures = [{"strain": 0.05, "glottal_half_angle_rad": 0.01}, {"strain": 0.11, "glottal_half_angle_rad": 0.03}]
+    request = resolve({"left": {"posture": postures[0]}, "right": {"posture": postures[1]}})
+    document = json.loads(json_text(posture_document(prepare(request))))
+    sides = document["sides"]
+    for side, given in zip(("left", "right"), postures, strict=True):
+        alone = posture_document(prepare(resolve({"posture": given})))
+        assert "sides" not in alone
+        assert sides[side]["posture"] == alone["posture"] and sides[side]["coefficients"] == alone["coefficients"]
+        assert sides[side]["static_shape"]["x_m"] == alone["static_shape"]["x_m"]
+    assert document["posture"]["strain"] == pytest.approx(0.08, rel=1e-12)
+    assert document["posture"]["glottal_half_angle_rad"] == pytest.approx(0.02, rel=1e-12)
+    assert document["coefficients"] == sides["left"]["coefficients"] != sides["right"]["coefficients"]
+    assert document["static_shape"] == sides["left"]["static_shape"]
+
+
+@pytest.fixture(scope="module")
+def palsy():
+    return simulate(resolve({"right": {"activation": {"ta": 0.1, "lca": 0.5}}, "run": {"duration_s": 0.15}}))
+
+
+def test_a_run_of_two_folds_says_which_arrays_are_of_one_side(palsy):
+    document = json.loads(json_text(result_document(palsy)))
+    arrays = document["arrays"]
+    assert (arrays["cycle_w_m"]["shape"], arrays["cycle_w_m"]["dims"]) == (
+        [2, 100, 20, 10],
+        ["side", "phase", "x", "y"],
+    )
+    assert arrays["static_wb_m"]["dims"] == ["side", "x"]
+    assert arrays["cycle_contact_pressure_pa"]["dims"] == ["phase", "x", "y"], "one pressure between both"
+    assert arrays["left_edge_m"]["dims"] == ["time"]
+    assert (
+        document["sides"]["right"]["posture"]
+        == json.loads(json_text(posture_document(prepare(palsy.request))))["sides"]["right"]["posture"]
+    )
+
+
+def test_edges_of_both_sides_are_given_whether_or_not_the_folds_differ(modal, palsy):
+    for result in (modal, palsy):
+        left, right = result.arrays["cycle_edges_m"]
+        w, plane = result.arrays["cycle_w_m"], result.arrays["medial_plane_m"]
+        first, last = (w[0], w[1]) if w.ndim == 4 else (w, w)
+        planes = plane if plane.ndim == 3 else (plane, plane)
+        assert np.array_equal(left, (planes[0] - first).min(axis=-1))
+        assert np.array_equal(right, -(planes[1] - last).min(axis=-1))
+    assert np.array_equal(*modal.arrays["cycle_edges_m"] * np.array([1, -1])[:, None, None])
+
+
+def test_gap_and_length_are_those_of_both_folds(palsy):
+    left, right = palsy.postures
+    openings = [one.length_m * math.tan(one.glottal_half_angle_rad) for one in (left, right)]
+    assert openings[0] != openings[1]
+    measures = palsy.report.measures
+    assert measures["gap_mm"].value == pytest.approx(1e3 * sum(openings), rel=1e-12)
+    assert measures["length_mm"].value == pytest.approx(500 * (left.length_m + right.length_m), rel=1e-12)
+
+
+def test_a_stored_result_of_two_folds_reads_back_to_the_same(palsy, tmp_path):
+    save_result(palsy, tmp_path / "result.npz")
+    again = load_result(tmp_path / "result.npz")
+    assert json_text(result_document(again)) == json_text(result_document(palsy))
+    assert (again.request, again.postures, again.wall_coefficients) == (
+        palsy.request, palsy.postures, palsy.wall_coefficients,
+    )  # fmt: skip
+    for name, array in palsy.arrays.items():
+        assert np.array_equal(again.arrays[name], array, equal_nan=True), name
+    for one, other in zip(again.statics, palsy.statics, strict=True):
+        assert np.array_equal(one.w_m, other.w_m) and np.array_equal(one.w_b, other.w_b)
 
 
 def test_a_given_posture_is_a_posture_too():

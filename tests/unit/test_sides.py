@@ -16,6 +16,7 @@ from vfcore.spec.request import document_of, flat, patched, resolve
 from vfcore.spec.sides import folds_of
 from vfcore.spec.simulation import Simulation
 from vfcore.spec.variants import VARIANTS
+from vocalis.cli.requests import request_patch
 from vocalis.server.live.recording import Recording
 
 OF_ONE_FOLD = [path for path in NUMBERS if DECLARATIONS[path].per_side]
@@ -139,6 +140,8 @@ def test_a_list_replaces_the_list_before_and_a_path_changes_one_lesion():
     raised = patched(request, {"lesions.1.height_mm": 1.0})
     assert [one.height_mm for one in raised.lesions] == [KINDS["nodule"].height_mm, 1.0]
     assert flat({"lesions": {"1": {"height_mm": 1.0}}}) == {"lesions.1.height_mm": 1.0}
+    words = ["lesions.0.kind=nodule", "lesions.1.kind=scar", 'lesions=[{"x": 0.2}]', "lesions.0.kind=polyp"]
+    assert resolve(request_patch(None, None, {}, words)).lesions == (Lesion(kind="polyp", x=0.2),)
 
 
 def test_a_change_of_the_request_reaches_both_folds_and_leaves_what_a_side_holds():

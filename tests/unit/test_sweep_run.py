@@ -69,6 +69,21 @@ def test_the_cost_of_a_point_is_that_of_the_largest_run(document, wanted):
     assert point_node_steps(sweep_from_dict({"base": SHORT} | document)) == pytest.approx(wanted, rel=1e-12)
 
 
+def test_two_folds_coupling_and_lesions_cost_more():
+    plain = {"base": SHORT, "axes": [CT]}
+    alone = point_node_steps(sweep_from_dict(plain))
+    for more, least, most in (
+        ({"right": {"activation": {"ta": 0.1}}}, 1.4, 2.0),
+        ({"model": {"coupling": "two_way"}}, 2.0, 4.0),
+        ({"model": {"stretch": "finite"}}, 1.1, 1.6),
+        ({"lesions": [{"kind": "polyp", "side": "left"}]}, 1.8, 2.6),
+    ):
+        found = point_node_steps(sweep_from_dict({"base": SHORT | more, "axes": [CT]}))
+        assert least < found / alone < most, more
+    one_side = sweep_from_dict({"base": SHORT, "axes": [{"parameter": "right.activation.ct", "values": [0.1, 0.4]}]})
+    assert point_node_steps(one_side) > 1.4 * alone, "the points have two folds, though the base has one"
+
+
 def test_every_null_of_the_document_is_explained(table):
     document = json.loads(json.dumps(table.document(), allow_nan=False))
     failed = {problem["index"] for problem in document["problems"]}

@@ -13,8 +13,8 @@ The largest ω² and c on the grid are bounded by those of the membrane alone or
 shorter step, plus those of the coupling between them; all springs and dampers count as engaged, each at its largest
 value over the surface and at the smallest mass. Each term adds its share:
 
-    tension    4 T/dx² over ρ_s; with finite stretch T at the stretch tension.SWING above the prestrain, and on the beam
-               what the stretch adds, 4 N'/dx² over ρ_l
+    tension    4 T/dx² over ρ_s; with finite stretch T at the largest swing (tension.SWING_PA), and on the beam what the
+               stretch adds, 4 N'/dx² over ρ_l
     shear      4 G̃/dy² and 4 η̃/dy² over ρ_s; rotation: G_m and η_m over J_m too
     contact    K_col and C_col over ρ_s
     coupling   K_coup and C_coup over the reduced mass, 1/ρ_s + b/ρ_l;  foundation: K_foun and C_foun over ρ_l
@@ -34,13 +34,15 @@ from vfcore.spec.simulation import DEFAULT_STEP_S, Run
 
 #: Fraction of the bound that is used: margin for rounding and for the air, which the linear bound does not include.
 SAFETY = 0.95
+#: How often the step is halved for a march with finite stretch that diverges.
+HALVINGS = 2
 bound_tension, bound_shear, bound_coupling = tension.bound, shear.bound, coupling.bound
 _TENSION, _SHEAR, _COUPLING = (place_of(term).start for term in (tension, shear, coupling))
 _INV_RHO_L = WALL_NUMBERS.index("inv_beam_density")
 
 
 @jit
-def longest_step(rotation, finite, thickness, fields, numbers):
+def longest_step(rotation, finite, length, thickness, fields, numbers):
     """The time step at which the first mode of a wall would grow, s. Arguments as in vfcore.fold.assemble.Fold."""
     ny, nx = fields.shape[1:]
     lightest, largest = math.inf, [0.0] * 9
@@ -50,7 +52,7 @@ def longest_step(rotation, finite, thickness, fields, numbers):
             for k in range(2, 9):
                 largest[k] = max(largest[k], fields[k, j, i])
     inv_rho_s, inv_rho_l = 1.0 / lightest, numbers[_INV_RHO_L]
-    K_T, K_N = bound_tension(finite, numbers[_TENSION:_SHEAR], largest[2])
+    K_T, K_N = bound_tension(finite, numbers[_TENSION:_SHEAR], largest[2], length, length / (nx - 1))
     K_G, C_G, turning_omega2, turning_rate = bound_shear(rotation, numbers[_SHEAR:_COUPLING], largest[3], largest[4])
     omega2, rate = bound_coupling(largest[5], largest[6], inv_rho_s, inv_rho_l, thickness)
     K_col, C_col, K_foun, C_foun = largest[7], largest[8], numbers[_COUPLING + 1], numbers[_COUPLING + 2]
@@ -75,7 +77,8 @@ def longest_stable_step_s(glottis: Glottis) -> float:
 
 
 def _longest(wall: Fold) -> float:
-    return longest_step(wall.rotation, wall.finite, wall.coefficients.thickness_m, wall.fields, wall.numbers)
+    c = wall.coefficients
+    return longest_step(wall.rotation, wall.finite, c.length_m, c.thickness_m, wall.fields, wall.numbers)
 
 
 def time_step_s(run: Run, glottis: Glottis) -> float:
@@ -94,6 +97,18 @@ def time_step_s(run: Run, glottis: Glottis) -> float:
             "a coarser grid in y allows a longer step",
         )
     return float(run.time_step_s)
+
+
+def steps_to_try(run: Run, glottis: Glottis) -> list[float]:
+    """``time_step_s``, and shorter ones for a march that diverges, s.
+
+    With finite stretch the bound holds up to a largest swing (terms/tension.py). A voice that swings further may
+    diverge at the chosen step although it has a solution, so it is marched again at half the step, HALVINGS times at
+    most. A requested step is tried alone, and so is the step of constant tension, whose bound has no such limit.
+    """
+    first = time_step_s(run, glottis)
+    halvings = HALVINGS if run.time_step_s is None and glottis.walls[0].finite else 0
+    return [first / 2**k for k in range(halvings + 1)]
 
 
 def _rounded_down(value: float) -> float:

@@ -3,7 +3,9 @@
 Variables: every array of ``vfcore.runs.result.ARRAYS`` under its name, float64; every measure as the scalar
 ``measure_<key>`` (NaN with a ``reason`` where there is none), with its error bar as ``error_half_width`` and
 ``error_limit`` where the request has an error estimate; posture and coefficients as ``posture_<name>`` and
-``coefficient_<name>``. Attributes of the file: phonation state, provenance, and the request as JSON.
+``coefficient_<name>``, of two different folds the mean posture and the left fold, and both under
+``side_posture_<name>`` and ``side_coefficient_<name>``. Attributes of the file: phonation state, provenance, and the
+request as JSON.
 """
 
 import io
@@ -11,11 +13,14 @@ import json
 import os
 from typing import Any
 
+import numpy as np
+
 from vfcore.io.atomic import replacing
 from vfcore.io.hdf5 import Variable, write_variables
 from vfcore.io.result_document import COEFFICIENTS, POSTURE, json_text, result_document
 from vfcore.measures.catalogue import CATALOGUE
 from vfcore.runs.result import ARRAYS, SimulationResult, dims_of
+from vfcore.spec.declarations import SIDES
 from vfcore.spec.fields import PAPER
 
 
@@ -45,11 +50,15 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
     }
     for spec in CATALOGUE:
         variables[f"measure_{spec.key}"] = _measure(spec, document["measures"][spec.key], _bar_of(document, spec.key))
+    variables["side"] = Variable(("side",), np.array(SIDES, object), {"long_name": "side of the patient"})
+    each = [document["sides"][side] for side in SIDES] if "sides" in document else []
     for prefix, section, quantities in (("posture", "posture", POSTURE), ("coefficient", "coefficients", COEFFICIENTS)):
         for name, quantity in quantities.items():
-            value = document[section][name]
             attributes = {"units": quantity.unit, "long_name": quantity.label}
-            variables[f"{prefix}_{name}"] = Variable((), float("nan") if value is None else float(value), attributes)
+            variables[f"{prefix}_{name}"] = Variable((), _number(document[section][name]), attributes)
+            if each:
+                values = np.array([_number(one[section][name]) for one in each])
+                variables[f"side_{prefix}_{name}"] = Variable(("side",), values, attributes)
     provenance = document["provenance"]
     request = provenance.pop("request")
     about: dict[str, str | float] = {
@@ -67,6 +76,10 @@ def _content(result: SimulationResult) -> tuple[dict[str, Variable], dict[str, s
         "request": json_text(request),
     }
     return variables, about
+
+
+def _number(value: float | None) -> float:
+    return float("nan") if value is None else float(value)
 
 
 def _bar_of(document: dict[str, Any], key: str) -> dict[str, Any]:

@@ -19,6 +19,7 @@ from vfcore.measures.measure import Measure
 from vfcore.runs.error_estimate import METHOD
 from vfcore.runs.result import ARRAYS, SimulationResult, dims_of
 from vfcore.runs.setup import GlottisSetup
+from vfcore.spec.declarations import SIDES
 from vfcore.spec.request import document_of
 
 ARRAY_DTYPE = "float32"  # as bytes in answers; files and Python hold float64
@@ -107,7 +108,7 @@ def _sides(
     """Posture, coefficients and static shape of each side, under ``sides``, where the folds differ."""
     if len(postures) == 1:
         return {}
-    each = zip(("left", "right"), postures, coefficients, statics, strict=True)
+    each = zip(SIDES, postures, coefficients, statics, strict=True)
     return {
         "sides": {
             side: {"posture": _posture(one), "coefficients": _coefficients(c), "static_shape": _static_shape(shape)}

@@ -35,7 +35,7 @@ KINDS: Mapping[str, LesionKind] = {
     "nodule": LesionKind(
         "nodules",
         "Mostly on both folds, at the middle of the membranous part where contact is hardest, 1 to 2 mm long; raised "
-        "and, once fibrous, stiffer than the cover (Titze 1994; Jiang & Titze 1994 for the place of largest stress).",
+        "and, once fibrous, stiffer than the cover. The impact stress is largest there (Jiang & Titze 1994).",
         height_mm=0.4, stiffness_ratio=2.0,
     ),
     "polyp": LesionKind(

@@ -1,9 +1,10 @@
 """Named variants of the model: which equations, which posturing, and which constants differ from the paper's.
 
 ``human`` and ``human_female`` change constants, the coupling and the stretch only. The values of ``human`` come from
-the calibration study of vocalis.studies.norms (docs/human.md, section 4): they meet thirteen of fifteen published norms
-of men, and reproduce no shape or map of the paper worse than the paper's own constants do with the same coupling.
-``human_female`` is scaled from ``human`` and is not calibrated.
+the calibration study of vocalis.studies.norms, which used a constant tension: with it they meet thirteen of fifteen
+published norms of men. With finite stretch, the default of the variant, they meet eleven, and four of the paper's maps
+are reproduced worse than with its own constants (docs/human.md). ``human_female`` is scaled from ``human`` and is not
+calibrated.
 """
 
 from collections.abc import Mapping
@@ -117,8 +118,8 @@ VARIANTS = {
     ),
     "human": ModelVariant(
         "serry2026", "inferior_stiff", "kelvin_voigt", "two_way", "finite",
-        "Adult man: the paper's equations, ten constants set so that flow, pitch and level are of human size; the "
-        "paper's shapes and maps are kept. Defaults: coupling two_way, stretch finite.",
+        "Adult man: ten constants set with constant tension for flow, pitch and level of human size; with finite "
+        "stretch they meet 11 of 15 norms of men. Defaults: coupling two_way, stretch finite.",
         _HUMAN,
     ),
     "human_female": ModelVariant(

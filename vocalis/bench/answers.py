@@ -9,21 +9,30 @@ from vocalis.bench.sweeps import grid, served, start_workers, to_table
 
 POINTS = 21  # of each of the two muscles of a map
 VOICES = 40
-PRECISIONS = {"map": "float64", "map_single": "float32"}
+HUMAN = {"model": {"variant": "human"}}  # finite stretch, and airways that act back
+#: Base request and precision of each map.
+MAPS: dict[str, tuple[dict, str]] = {
+    "map": ({}, "float64"),
+    "map_single": ({}, "float32"),
+    "map_human": (HUMAN, "float64"),
+    "map_human_single": (HUMAN, "float32"),
+}
 
 
 def answers(rounds: int, points: int = POINTS, voices: int = VOICES) -> dict[str, list[float]]:
     """Seconds of each answer, measured at the client, with all workers already running.
 
-    ``http``: of ``voices`` requests for 1 s of voice with all arrays. ``map`` and ``map_single``: of ``rounds`` maps in
-    double and in single precision.
+    ``http``: of ``voices`` requests for 1 s of voice with all arrays. MAPS: each of ``rounds`` maps, in turns.
     """
     body, workers = grid(points, points), os.cpu_count() or 1
     with tempfile.TemporaryDirectory(prefix="vocalis-answers-") as folder, served(folder, workers) as (client, _):
-        start_workers(client)
+        for base, precision in MAPS.values():
+            start_workers(client, base, precision)
         run(client, 0.0)
         voice = partial(run, duration_s=1.0)
         found = {"http": [1e-3 * took for took in milliseconds(voice, client, 0.001, voices)]}
-        for name, precision in PRECISIONS.items():
-            found[name] = [to_table(client, body | {"precision": precision}, k) for k in range(rounds)]
+        found |= {name: [] for name in MAPS}
+        for k in range(rounds):
+            for name, (base, precision) in MAPS.items():
+                found[name].append(to_table(client, body | {"base": base, "precision": precision}, k))
     return found

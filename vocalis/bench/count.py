@@ -1,6 +1,7 @@
 """Arithmetic and memory operations of one step of the fold, counted by running its source on counting arrays.
 
-``python -m vocalis.bench.count NX NY`` prints them as JSON. The loop is run interpreted (NUMBA_DISABLE_JIT=1) with
+``python -m vocalis.bench.count NX NY [finite] [two] [many]`` prints them as JSON; with finite stretch, for two
+different walls, for each glottis of a batch. The loop is run interpreted (NUMBA_DISABLE_JIT=1) with
 arrays that count. So the count follows the kernel source: each +, −, ×, ÷ and square root of one vector element is one
 operation (a fused multiply-add two), comparisons are counted separately, and each read or write of a number of the
 buffer is 8 bytes, whether or not the compiler keeps it in a register. Idle columns that pad a vector count too.
@@ -10,6 +11,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -33,9 +35,8 @@ class Counted(np.ndarray):
         return np.asarray(result).view(Counted)
 
     def __array_function__(self, function, types, inputs, options):
-        """Selections (``np.where``) move numbers and are not counted."""
-        plain = [np.asarray(value) if isinstance(value, Counted) else value for value in inputs]
-        return np.asarray(function(*plain, **options)).view(Counted)
+        """Selections (``np.where``) and joins (``np.concatenate``) move numbers and are not counted."""
+        return np.asarray(function(*map(_plain, inputs), **options)).view(Counted)
 
     def __getitem__(self, index):
         value = np.asarray(super().__getitem__(index)).view(Counted)
@@ -47,32 +48,43 @@ class Counted(np.ndarray):
         np.asarray(self)[index] = value
 
 
-def count_step(nx: int, ny: int) -> dict[str, int]:
-    """Arithmetic operations, comparisons and buffer accesses of one step on nx × ny nodes, in a new process."""
+def _plain(value):
+    """A value, or every value of a list, as a plain array if it is counted."""
+    if isinstance(value, list):
+        return [_plain(one) for one in value]
+    return np.asarray(value) if isinstance(value, Counted) else value
+
+
+def count_step(nx: int, ny: int, *options: str) -> dict[str, int]:
+    """Arithmetic operations, comparisons and buffer accesses of one step on nx × ny nodes, in a new process.
+
+    ``options``: "finite", "two", "many", as above.
+    """
     environment = os.environ | {"NUMBA_DISABLE_JIT": "1"}
-    command = [sys.executable, "-m", "vocalis.bench.count", str(nx), str(ny)]
+    command = [sys.executable, "-m", "vocalis.bench.count", str(nx), str(ny), *options]
     return json.loads(subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout)
 
 
-def _count(nx: int, ny: int) -> dict[str, int]:
+def _count(nx: int, ny: int, options: Sequence[str]) -> dict[str, int]:
     from vfcore.fold import assemble
-    from vfcore.fold.form import RECORD
-    from vfcore.fold.step import step_kernel
-    from vfcore.runs.setup import prepare
-    from vfcore.spec.simulation import DEFAULT_STEP_S, Run, Simulation
+    from vfcore.fold.march import Glottises
+    from vfcore.spec.simulation import DEFAULT_STEP_S, Run
+    from vocalis.bench.forms import glottis_of
 
-    fold = prepare(Simulation(run=Run(nx=nx, ny=ny))).fold
-    advance = step_kernel(nx, ny, fold.rotation)
-    buffer = assemble.new_buffer(fold, DEFAULT_STEP_S).view(Counted)
-    assemble.membrane(buffer, fold)[ny // 2] = fold.medial_plane_m[ny // 2] + TOUCHING_M
-    scalars = assemble.scalars(fold, DEFAULT_STEP_S).view(Counted)
+    glottis = glottis_of(Run(nx=nx, ny=ny), finite="finite" in options, two="two" in options)
+    form = glottis.form(many="many" in options)
+    marching = Glottises([glottis] * form.glottises, form, DEFAULT_STEP_S)
+    for side, wall in enumerate(glottis.walls):
+        row = assemble.membranes(marching.buffer, marching.layout, "w", side)[ny // 2]
+        row[:] = (wall.medial_plane_m[ny // 2] + TOUCHING_M)[:, None]
+    buffer, record = marching.buffer.view(Counted), np.empty(len(form.record) * form.glottises)
     totals = []
     for steps in range(1, ENOUGH_STEPS + 1):
         Counted.tally.update(dict.fromkeys(Counted.tally, 0))
-        advance(buffer, scalars, np.full(steps, 1000.0), ENOUGH_STEPS, np.empty(len(RECORD)))
+        marching.advance(np.full((steps, form.glottises), 1000.0), ENOUGH_STEPS, record, buffer, marching.air)
         totals.append(dict(Counted.tally))
-    return {kind: totals[1][kind] - totals[0][kind] for kind in Counted.tally}
+    return {kind: (totals[1][kind] - totals[0][kind]) // form.glottises for kind in Counted.tally}
 
 
 if __name__ == "__main__":
-    print(json.dumps(_count(int(sys.argv[1]), int(sys.argv[2]))))
+    print(json.dumps(_count(int(sys.argv[1]), int(sys.argv[2]), sys.argv[3:])))

@@ -6,7 +6,8 @@ with an explicit beam
     v^{n+1} = v^n + dt a(w^n, v^n),   w^{n+1} = w^n + dt v^{n+1}
 
 at a fifth of the default step (7.14 µs, one section of the tract; the explicit beam is not stable much beyond). Order 1
-in dt. Flow, contact and membrane use the laws of vfcore/kernels. Kelvin–Voigt shear only.
+in dt. Flow, contact and membrane use the laws of vfcore/fold/terms. One fold and its mirror image, linear tension,
+Kelvin–Voigt shear, no patches.
 """
 
 from typing import NamedTuple
@@ -14,21 +15,21 @@ from typing import NamedTuple
 import numpy as np
 
 from vfcore.fold.assemble import Fold
-from vfcore.kernels import contact, flow, membrane
+from vfcore.fold.terms import air, contact, coupling, shear, tension
 from vfcore.kernels.jit import jit
 from vfcore.spec.simulation import SECTION_TRAVEL_S
 
 STEP_S = SECTION_TRAVEL_S
 
 contact_pressure = contact.contact_pressure
-gap, is_open, opening, square = flow.gap, flow.is_open, flow.opening, flow.square
-separation_gap, half_segment, viscous_drop = flow.separation_gap, flow.half_segment, flow.viscous_drop
-flux_root, slice_flux, pressure = flow.flux_root, flow.slice_flux, flow.pressure
-tension, coupling, kelvin_voigt = membrane.tension, membrane.coupling, membrane.kelvin_voigt
+gap, is_open, opening, square = air.gap, air.is_open, air.opening, air.square
+separation_gap, half_segment, viscous_drop = air.separation_gap, air.half_segment, air.viscous_drop
+flux_root, slice_flux, pressure = air.flux_root, air.slice_flux, air.pressure
+along_fold, traction_of, kelvin_voigt = tension.tension, coupling.coupling, shear.kelvin_voigt
 
 
 class Laws(NamedTuple):
-    """Coefficients of one fold, SI; names as in layout.SCALARS."""
+    """Coefficients of one fold, SI; names as in vfcore.fold.terms."""
 
     dx: float
     dy: float
@@ -54,7 +55,7 @@ def _slice_pressure(w, G, i, k, p, d):
     ny = p.size
     d_min, d_max = np.inf, 0.0
     for j in range(ny):
-        d[j] = gap(G[j, i], w[j, i])
+        d[j] = gap(G[j, i] - w[j, i])
         d_min, d_max = min(d_min, d[j]), max(d_max, d[j])
     d_sep = separation_gap(d_min, d_max, k.alpha_s)
     j_sep = ny - 1
@@ -91,18 +92,18 @@ def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, reco
                 continue
             to_beam = 0.0
             for j in range(ny):
-                traction = coupling(w[j, i], v[j, i], w_b[i], k.C_coup * v_b[i], K_coup[j], k.C_coup)
+                traction = traction_of(w[j, i], v[j, i], w_b[i], k.C_coup * v_b[i], K_coup[j], k.C_coup)
                 to_beam += traction * (0.5 if j == 0 or j == ny - 1 else 1.0)
-                shear = 0.0
+                sheared = 0.0
                 for other in (j - 1, j + 1):
                     if 0 <= other < ny:
                         strain, rate = (w[other, i] - w[j, i]) / k.dy, (v[other, i] - v[j, i]) / k.dy
                         cell = 0.5 * k.dy if j == 0 or j == ny - 1 else k.dy
-                        shear += kelvin_voigt(strain, rate, k.G_shear, k.eta_shear) / cell
-                p_col = contact_pressure(w[j, i], v[j, i], G[j, i], k.K_col, k.C_col)
+                        sheared += kelvin_voigt(strain, rate, k.G_shear, k.eta_shear) / cell
+                p_col = contact_pressure(w[j, i] - G[j, i], v[j, i], k.K_col, k.C_col)
                 largest = max(p_col, largest)
-                along = tension(w[j, i - 1], w[j, i], w[j, i + 1], k.T_over_dx2)
-                force[j, i] = (along + shear - traction - p[j] - p_col) / k.rho_s
+                along = along_fold(w[j, i - 1], w[j, i], w[j, i + 1], k.T_over_dx2)
+                force[j, i] = (along + sheared - traction - p[j] - p_col) / k.rho_s
             line = to_beam * k.dy - k.K_foun * w_b[i] - k.C_foun * v_b[i] + load[i - 1]
             for m in range(max(0, i - 3), min(nx - 2, i + 2)):
                 line += B[i - 1, m] * w_b[m + 1]
@@ -118,22 +119,22 @@ def _advance(w, v, w_b, v_b, G, K_coup, B, load, k, dt, steps, force, p, d, reco
 
 def plain_run(fold: Fold, P_s_pa: float, duration_s: float, step_s: float = STEP_S) -> np.ndarray:
     """Record (steps, 3) from the flat start: minimum glottal area, m², flow, m³/s, and largest contact pressure, Pa."""
-    c, air = fold.coefficients, fold.constants
+    c, constants = fold.coefficients, fold.constants
     laws = Laws(
         dx=fold.dx,
         dy=fold.dy,
         P_s=P_s_pa,
-        alpha_s=air.alpha_s,
-        half_rho_a=0.5 * air.rho_a_kg_m3,
-        twelve_mu_a=12.0 * air.mu_a_pa_s,
+        alpha_s=constants.alpha_s,
+        half_rho_a=0.5 * constants.rho_a_kg_m3,
+        twelve_mu_a=12.0 * constants.mu_a_pa_s,
         T_over_dx2=c.membrane_tension_n_m / fold.dx**2,
         G_shear=c.membrane_shear_n_m,
         eta_shear=c.membrane_shear_viscosity_n_s_m,
-        C_coup=air.C_coup_pa_s_m,
-        K_col=air.K_col_pa_m,
-        C_col=air.C_col_pa_s_m,
-        K_foun=air.K_foun_pa,
-        C_foun=air.C_foun_pa_s,
+        C_coup=constants.C_coup_pa_s_m,
+        K_col=constants.K_col_pa_m,
+        C_col=constants.C_col_pa_s_m,
+        K_foun=constants.K_foun_pa,
+        C_foun=constants.C_foun_pa_s,
         rho_s=c.membrane_density_kg_m2,
         rho_l=c.beam_density_kg_m,
     )
@@ -142,6 +143,6 @@ def plain_run(fold: Fold, P_s_pa: float, duration_s: float, step_s: float = STEP
     record = np.empty((round(duration_s / step_s), 3))
     v, w_b, v_b = np.zeros_like(w), np.zeros(fold.nx), np.zeros(fold.nx)
     force, p, d = np.empty((fold.ny + 1, fold.nx)), np.empty(fold.ny), np.empty(fold.ny)
-    fixed = fold.medial_plane_m, fold.K_coup_pa_m, fold.beam_matrix_n_m2, fold.beam_load_n_m
+    fixed = fold.medial_plane_m, fold.field("coupling")[:, 0], fold.beam_matrix_n_m2, fold.beam_load_n_m
     _advance(w, v, w_b, v_b, *fixed, laws, step_s, len(record), force, p, d, record)
     return record

@@ -19,26 +19,32 @@ def interleaved(tasks: Mapping[Name, Callable[[], object]], rounds: int, turn_s:
     return {name: median(values) for name, values in turns(tasks, rounds, turn_s).items()}
 
 
-def turns(tasks: Mapping[Name, Callable[[], object]], rounds: int, turn_s: float = TURN_S) -> dict[Name, list[float]]:
+def turns(
+    tasks: Mapping[Name, Callable[[], object]],
+    rounds: int,
+    turn_s: float = TURN_S,
+    clock: Callable[[], float] = time.perf_counter,
+) -> dict[Name, list[float]]:
     """Seconds per call of each task in each of ``rounds`` rounds, after one round of warm-up.
 
-    Each number is the mean over the calls of a turn of at least ``turn_s``.
+    Each number is the mean over the calls of a turn of at least ``turn_s``. ``clock``: ``time.thread_time`` does not
+    count the time in which another program had the core.
     """
     seconds: dict[Name, list[float]] = {name: [] for name in tasks}
     for lap in range(rounds + 1):
         for name, task in tasks.items():
-            took = _turn(task, turn_s)
+            took = _turn(task, turn_s, clock)
             if lap > 0:
                 seconds[name].append(took)
     return seconds
 
 
-def _turn(task: Callable[[], object], turn_s: float) -> float:
+def _turn(task: Callable[[], object], turn_s: float, clock: Callable[[], float]) -> float:
     """Mean seconds per call over at least ``turn_s``."""
-    calls, began = 0, time.perf_counter()
+    calls, began = 0, clock()
     while True:
         task()
         calls += 1
-        passed = time.perf_counter() - began
+        passed = clock() - began
         if passed >= turn_s:
             return passed / calls

@@ -3,6 +3,7 @@
 import os
 import platform
 import tempfile
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from statistics import median
@@ -10,19 +11,22 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vfcore.fold.form import LANES, StepForm
+from vfcore.fold.layout import layout_of
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.march_many import MarchInput, march_many
-from vfcore.fold.statics import static_shape_of
+from vfcore.fold.statics import static_shapes_of
 from vfcore.io.netcdf import write_netcdf
-from vfcore.kernels.layout import LANES, Layout
 from vfcore.larynx.posture.equilibrium import solve_posture, solve_posture_batch
 from vfcore.runs.one import simulate
 from vfcore.runs.setup import prepare
 from vfcore.spec.simulation import DEFAULT_STEP_S, PAPER_STEP_S, Simulation
-from vocalis.bench import compare, machine, processes, reference
+from vocalis.bench import compare, forms, machine, processes, reference
 from vocalis.bench.answers import POINTS, answers
 from vocalis.bench.count import count_step
+from vocalis.bench.forms import FORMS
 from vocalis.bench.interactive import SECOND_MS
+from vocalis.bench.played import share_of_a_core
 from vocalis.bench.rounds import turns
 
 BATCH = 1000
@@ -35,6 +39,12 @@ MAP_TARGETS_S = {"map": 3.0, "map_single": 1.5}  # 441 runs of 1 s on two cores
 STATIC_BATCH_TARGET_S = 1.0
 #: At least: plain loop over kernel, and kernel over each voice of a batch.
 REFERENCE_TARGET, GAINS = 20.0, {"batch": 1.25, "single_precision": 2.0}
+#: At most: the time of a form of the step over that of linear tension, one fold and its mirror image; alone, and in
+#: batches of both precisions.
+OVER_LINEAR = {"finite": 1.15, "two": 2.1, "two_finite": None}
+HUMAN_OVER_PAPER = 2.2  # a map of the variant human over the paper's
+LIVE_TARGET = 12.0  # % of a core: two walls, finite stretch, a muscle moved before every block
+LIVE_SECONDS_A_ROUND = 2
 
 
 class Row(NamedTuple):
@@ -62,6 +72,13 @@ def run(rounds: int, fresh_processes: bool = True, progress: Callable[[str], Non
     with tempfile.TemporaryDirectory() as folder:
         seconds = turns(_tasks(Path(folder) / "result.nc"), rounds)
     rows = _with_quickest(_timings, seconds)
+    progress("forms of the step")
+    core = {"peak": machine.peak_task()[0], "l1": machine.cache_task()[0]}
+    core_seconds = turns(core, rounds, clock=time.thread_time)
+    per_step = forms.step_seconds(rounds)
+    rows += _with_quickest(_core, core_seconds) + _with_quickest(_ratios, per_step)
+    progress("a played voice")
+    rows += _with_quickest(_played, {"live": share_of_a_core(rounds * LIVE_SECONDS_A_ROUND)})
     if fresh_processes:
         progress("answers of a server")
         rows += _with_quickest(_answers, seconds | answers(rounds))
@@ -71,8 +88,8 @@ def run(rounds: int, fresh_processes: bool = True, progress: Callable[[str], Non
         rows += _start_up()
         progress("counting operations")
         grid = Simulation().run
-        counted = count_step(grid.nx, grid.ny)
-        rows += _with_quickest(lambda took: _efficiency(took, counted), seconds)
+        counted = {form.options: count_step(grid.nx, grid.ny, *form.options) for form in FORMS.values()}
+        rows += _with_quickest(lambda took: _efficiency(took, counted), core_seconds | per_step)
     return rows
 
 
@@ -89,25 +106,26 @@ def machine_description() -> dict[str, str | int | None]:
 
 def _tasks(stored: Path) -> dict[str, Callable[[], object]]:
     request = Simulation()
-    fold = prepare(request).fold
+    setup = prepare(request)
+    glottis, fold = setup.glottis, setup.fold
     activations = np.random.default_rng(1).random((BATCH, 5))
 
     def kernel(step_s: float) -> Callable[[], object]:
         def march():
-            moving = TimeMarch(fold, step_s, request.subglottal_pressure_pa)
-            moving.start_flat()
+            moving = TimeMarch(glottis, step_s, request.subglottal_pressure_pa)
+            moving.start(0, None)
             return moving.run(round(1.0 / (step_s * moving.record_every)))
 
         return march
 
     def batch(precision: str) -> Callable[[], object]:
-        inputs = [MarchInput(fold, DEFAULT_STEP_S, request.subglottal_pressure_pa, BATCH_VOICE_S)] * LANES[precision]
+        inputs = [MarchInput(glottis, DEFAULT_STEP_S, request.subglottal_pressure_pa, BATCH_VOICE_S)] * LANES[precision]
         return lambda: list(march_many(inputs, single_precision=precision == "float32"))
 
     return {
         "posture": lambda: solve_posture(request.activation, request.posturing),
         "postures": lambda: solve_posture_batch(activations, request.posturing),
-        "static": lambda: static_shape_of(fold),
+        "static": lambda: static_shapes_of(glottis),
         "prepare": lambda: prepare(request),
         "kernel": kernel(DEFAULT_STEP_S),
         "kernel_paper_step": kernel(PAPER_STEP_S),
@@ -116,8 +134,6 @@ def _tasks(stored: Path) -> dict[str, Callable[[], object]]:
         "batch_single": batch("float32"),
         "result": lambda: simulate(request),
         "stored": lambda: write_netcdf(simulate(request), stored),
-        "peak": machine.peak_task()[0],
-        "l1": machine.cache_task()[0],
     } | compare.tasks()
 
 
@@ -155,8 +171,26 @@ def _timings(seconds: dict[str, float]) -> Iterator[Row]:
     yield from (Row(*row) for row in compare.rows(seconds))
     yield Row("result_s", "request → result, 1 s of voice", seconds["result"], "s")
     yield Row("stored_s", "request → stored netCDF, 1 s of voice", seconds["stored"], "s", STORED_TARGET_S)
+
+
+def _core(seconds: dict[str, float]) -> Iterator[Row]:
     yield Row("peak_gflop_s", "this core: multiply-adds", _peak_gflop_s(seconds), "Gflop/s")
     yield Row("l1_gb_s", "this core: L1 bandwidth", _l1_gb_s(seconds), "GB/s")
+
+
+def _ratios(seconds: dict[str, float]) -> Iterator[Row]:
+    yield Row("step_ns", "one step, linear tension, one fold mirrored", seconds["linear"] * 1e9, "ns")
+    labels = {"finite": "finite stretch", "two": "two different folds", "two_finite": "two folds, finite stretch"}
+    for batch, where in (("", ""), ("_batch", ", in a batch"), ("_single", ", in a batch in float32")):
+        for name, most in OVER_LINEAR.items():
+            if name + batch in seconds:
+                ratio = seconds[name + batch] / seconds["linear" + batch]
+                yield Row(f"{name}{batch}_ratio", f"  {labels[name]} / linear, one fold{where}", ratio, "×", most)
+
+
+def _played(share: dict[str, float]) -> Iterator[Row]:
+    label = "played voice, two folds, finite stretch, moving"
+    yield Row("live_share", label, 100 * share["live"], "% of a core", LIVE_TARGET)
 
 
 def _answers(seconds: dict[str, float]) -> Iterator[Row]:
@@ -166,6 +200,10 @@ def _answers(seconds: dict[str, float]) -> Iterator[Row]:
         yield Row(f"{name}_s", label, seconds[name], "s", MAP_TARGETS_S[name])
         plain_s = seconds["reference"] * runs / cores
         yield Row(f"{name}_ratio", f"  plain loop on {cores} cores / map", plain_s / seconds[name], "×")
+    for batch, where in (("", ""), ("_single", " in float32")):
+        label = f"map of the variant human / paper's map{where}"
+        ratio = seconds[f"map_human{batch}"] / seconds[f"map{batch}"]
+        yield Row(f"map_human{batch}_ratio", label, ratio, "×", HUMAN_OVER_PAPER)
 
 
 def _peak_gflop_s(seconds: dict[str, float]) -> float:
@@ -192,19 +230,20 @@ def _start_up() -> Iterator[Row]:
     yield Row("first_warm_s", "first result, kernels from the cache", warm["first_result_s"], "s")
 
 
-def _efficiency(seconds: dict[str, float], counted: dict[str, int]) -> Iterator[Row]:
-    grid = Simulation().run
-    per_step_s = seconds["kernel"] * DEFAULT_STEP_S
-    gflop_s = counted["arithmetic"] / per_step_s * 1e-9
-    gb_s = counted["accesses"] * 8 / per_step_s * 1e-9
-    yield Row("step_us", "one step of the kernel", per_step_s * 1e6, "µs")
-    yield Row("operations", "operations a step in contact, as written", counted["arithmetic"], "flop")
-    yield Row("bytes", "bytes moved a step, as written", counted["accesses"] * 8, "B")
-    yield Row("state_bytes", "the buffer of a fold", Layout(grid.nx, grid.ny).size * 8, "B")
-    yield Row("gflop_s", "kernel: arithmetic", gflop_s, "Gflop/s")
-    yield Row("of_peak", "  of this core's multiply-adds", 100 * gflop_s / _peak_gflop_s(seconds), "%")
-    yield Row("gb_s", "kernel: memory as written", gb_s, "GB/s")
+def _efficiency(seconds: dict[str, float], counted: dict[tuple[str, ...], dict[str, int]]) -> Iterator[Row]:
+    grid, one = Simulation().run, counted[()]
+    gb_s = one["accesses"] * 8 / seconds["linear"] * 1e-9
+    size = layout_of(StepForm(grid.nx, grid.ny)).size * 8
+    yield Row("operations", "operations a step in contact, as written", one["arithmetic"], "flop")
+    yield Row("bytes", "bytes moved a step, as written", one["accesses"] * 8, "B")
+    yield Row("state_bytes", "the buffer of a glottis", size, "B")
+    yield Row("gb_s", "linear step: memory as written", gb_s, "GB/s")
     yield Row("of_l1", "  of this core's L1 bandwidth", 100 * gb_s / _l1_gb_s(seconds), "%")
+    for name, form in FORMS.items():
+        operations = counted[form.options]["arithmetic"]
+        floor_s = operations / (_peak_gflop_s(seconds) * 1e9) / (2 if form.precision == "float32" else 1)
+        label = f"{name.replace('_', ', ')}: {operations:,} operations a step, time over multiply-adds alone"
+        yield Row(f"{name}_over_floor", label, seconds[name] / floor_s, "×")
 
 
 def _processor() -> str | None:

@@ -87,9 +87,10 @@ def through_jobs(body: dict, workers: int, rounds: int = 1) -> dict:
     }
 
 
-def start_workers(client: httpx.Client) -> None:
-    """Start every worker of a server and load its kernels, by a small sweep."""
-    warm = client.post("/jobs", json=grid(8, 2) | {"base": {"vowel": "i"}}).json()
+def start_workers(client: httpx.Client, base: dict | None = None, precision: str = "float64") -> None:
+    """Start every worker of a server and load the kernels for a ``base`` request, by a small sweep."""
+    body = grid(8, 2) | {"base": (base or {}) | {"vowel": "i"}, "precision": precision}
+    warm = client.post("/jobs", json=body).json()
     while client.get(f"/jobs/{warm['id']}").json()["finished"] is None:
         time.sleep(0.1)
 
@@ -99,7 +100,7 @@ def to_table(client: httpx.Client, body: dict, nth: int) -> float:
 
     Each ``nth`` has its own pressure, so that no point is cached. RuntimeError if the table is incomplete.
     """
-    base = {"subglottal_pressure_pa": PRESSURE_PA + nth * APART_PA}
+    base = body.get("base", {}) | {"subglottal_pressure_pa": PRESSURE_PA + nth * APART_PA}
     began = time.perf_counter()
     job = client.post("/jobs", json=body | {"base": base}).json()
     with client.stream("GET", f"/jobs/{job['id']}/events") as stream:

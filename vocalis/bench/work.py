@@ -1,4 +1,4 @@
-"""Scaling: time of the march against duration, grid, number of folds and cores."""
+"""Scaling: time of the march against duration, grid, number of glottises and cores."""
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -16,7 +16,7 @@ SHORT_S = 0.1
 DURATIONS_S = (0.1, 0.5, 2.0)
 ACROSS = (10, 20, 40, 80)  # Nx at Ny = 10
 ALONG = (6, 10, 20, 40, 80)  # Ny at Nx = 20
-FOLDS = (1, 8, 16, 64)
+GLOTTISES = (1, 8, 16, 64)
 CORES = (1, 2, 4)
 
 
@@ -33,21 +33,21 @@ class Cost(NamedTuple):
 def march(nx: int = 20, ny: int = 10, duration_s: float = SHORT_S) -> tuple[Callable[[], object], int]:
     """A task that marches the modal voice on a grid, and its number of steps."""
     request = Simulation(run=Run(nx=nx, ny=ny))
-    fold = prepare(request).fold
-    step = time_step_s(request.run, fold)
+    glottis = prepare(request).glottis
+    step = time_step_s(request.run, glottis)
 
     def run():
-        moving = TimeMarch(fold, step, request.subglottal_pressure_pa)
-        moving.start_flat()
+        moving = TimeMarch(glottis, step, request.subglottal_pressure_pa)
+        moving.start(0, None)
         return moving.run(round(duration_s / (step * moving.record_every)))
 
     return run, round(duration_s / step)
 
 
 def _many(count: int, threads: int = 1) -> Callable[[], object]:
-    fold = prepare(Simulation()).fold
-    step = time_step_s(Simulation().run, fold)
-    inputs = [MarchInput(fold, step, 1000.0, SHORT_S)] * count
+    glottis = prepare(Simulation()).glottis
+    step = time_step_s(Simulation().run, glottis)
+    inputs = [MarchInput(glottis, step, 1000.0, SHORT_S)] * count
     part = -(-count // threads)
     parts = [inputs[begin : begin + part] for begin in range(0, count, part)]
 
@@ -71,8 +71,8 @@ def costs(cores: int) -> Iterator[Cost]:
         for grid, took in interleaved({grid: task for grid, (task, _) in made.items()}, ROUNDS).items():
             nodes = grid[0] * grid[1] * made[grid][1]
             yield Cost(table, f"{grid[0]}×{grid[1]}", took, 1e9 * took / nodes, "ns per node and step")
-    for count, took in interleaved({count: _many(count) for count in FOLDS}, ROUNDS).items():
-        yield Cost("folds", f"{count} of {SHORT_S:g} s", took, 1e3 * took / count, "ms per fold")
+    for count, took in interleaved({count: _many(count) for count in GLOTTISES}, ROUNDS).items():
+        yield Cost("glottises", f"{count} of {SHORT_S:g} s", took, 1e3 * took / count, "ms per glottis")
     tasks_by_cores = {n: _many(64, n) for n in CORES if n <= cores}
     for n, took in interleaved(tasks_by_cores, ROUNDS).items():
-        yield Cost("cores", f"64 folds on {n}", took, 1e3 * took / 64, "ms per fold")
+        yield Cost("cores", f"64 glottises on {n}", took, 1e3 * took / 64, "ms per glottis")

@@ -140,8 +140,8 @@ function bend() {
 }
 
 /**
- * Whether a change needs another voice: other equations, or an optional part, a value of a side or a lesion that may have
- * come or gone.
+ * Whether a change needs another voice: other equations, or an optional part, a value of a side or a lesion that may
+ * have come or gone.
  */
 function isAnotherVoice(path, before, after) {
   const optional = schema.peek().parameters.get(path)?.optional_part !== null;

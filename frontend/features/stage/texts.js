@@ -25,6 +25,7 @@ export const STAGE = {
     opening: "opening",
     contact: "contact",
   },
+  foldsDiffer: "The folds differ; the picture shows the left one.",
   picture: "Both vocal folds seen from above, anterior commissure to vocal processes",
 };
 

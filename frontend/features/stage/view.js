@@ -85,6 +85,7 @@ export function Stage({ compact = false }) {
             <${Closure} />
           `
         }
+        <${FoldsDiffer} />
       </div>
       <${Transport} />
     </section>
@@ -185,6 +186,16 @@ function Closure() {
   return html`
     <p class="closure">${pattern && `${STAGE.atRest} ${CLOSURE[pattern]}`}</p>
   `;
+}
+
+function FoldsDiffer() {
+  const differ = now.value ? now.value.right : posture.value?.sides;
+  return (
+    differ &&
+    html`
+      <p class="folds-differ">${STAGE.foldsDiffer}</p>
+    `
+  );
 }
 
 function Legend() {

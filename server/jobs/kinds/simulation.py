@@ -9,11 +9,11 @@ from vfcore.io.audio import render, to_wav_bytes
 from vfcore.io.csv import csv_text
 from vfcore.io.result_document import result_document
 from vfcore.io.stored import load_result, save_result
-from vfcore.runs.result import ARRAYS, SimulationResult
+from vfcore.runs.result import ARRAYS, SimulationResult, dims_of
 from vfcore.spec.address import address
 from vfcore.spec.request import document_of, resolve
 from vfcore.spec.simulation import Simulation
-from vocalis.server.encoding import float32_bytes
+from vocalis.server.encoding import array_of, float32_bytes
 from vocalis.server.jobs.computations import run_simulation
 from vocalis.server.jobs.cost import check_cost
 from vocalis.server.jobs.kinds.base import BYTES, CSV, FILES, NETCDF, RESULT, WAV, WAVEFORMS, Answer, Part, SingleKind
@@ -98,15 +98,15 @@ class SimulationKind(SingleKind[Simulation, SimulationResult]):
 
     def array(self, job: Job, storage: "Storage", name: str, part: Part = Part()) -> Answer:  # noqa: B008 - a value
         result = self.load(job, storage)
-        whole, spec = result.arrays[name], ARRAYS[name]
-        length = len(whole)
+        whole = array_of(result, name, "name")
+        dims, length = dims_of(name, whole), len(whole)
         stop = length if part.stop is None else part.stop
         for path, value, most in (("stop", stop, length), ("start", part.start, stop)):
             if value > most:
                 raise ParameterError(path, f"{value} is beyond the end", f"0 to {most}")
         chosen = whole[part.start : stop : part.stride]
-        headers = {"X-Shape": ",".join(map(str, chosen.shape)), "X-Dims": ",".join(spec.dims), "X-Unit": spec.unit}
-        if spec.dims[0] == "time":
+        headers = {"X-Shape": ",".join(map(str, chosen.shape)), "X-Dims": ",".join(dims), "X-Unit": ARRAYS[name].unit}
+        if dims[0] == "time":
             headers["X-Sample-Rate-Hz"] = repr(result.provenance.sample_rate_hz / part.stride)
         return Answer(float32_bytes(chosen), BYTES, headers)
 

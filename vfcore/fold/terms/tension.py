@@ -23,8 +23,8 @@ Law of a layer in terms of e, with z = z_0 + α_1 e, z_0 = α_1 (ε̄ − ε_2):
 
 Static: the same forces, with T_j and N of the shape (vfcore/fold/statics.py). Loss: none.
 Numbers of T are over dx², Pa/m; those of N over dx², N/m². Floats or SIMD vectors. Order 2 in dx. Stability: ω² of
-4 T/dx² over ρ_s, with finite stretch at the stretch ``SWING`` above the prestrain, and of what that adds to the beam,
-4 N/dx² over ρ_l. Twin: tests/support/wall_twin.py. Not validated against measured vibration.
+4 T/dx² over ρ_s, with finite stretch at the largest swing (``SWING_PA``), and of what that adds to the beam, 4 N/dx²
+over ρ_l. Twin: tests/support/wall_twin.py. Not validated against measured vibration.
 """
 
 import math
@@ -36,8 +36,10 @@ from vfcore.kernels.jit import formula, jit
 from vfcore.kernels.simd import load, maximum, minimum, paired
 from vfcore.larynx.tissue.prestrain import active, passive
 
-#: Stretch by the swing up to which the stability bound holds; the modal voice of the paper reaches 0.09 at 2 kPa.
-SWING = 0.2
+#: Pressure of the largest swing for which the stability bound holds, Pa: a row with the tension T at the stretch e
+#: balances about T √e/L. The paper's modal voice reaches 1.25 times its lung pressure in this measure (at 2 kPa e is
+#: 0.33), so this is about twice the pressure of loud speech.
+SWING_PA = 2500.0
 #: Largest exponent: far above any tissue strain, and finite in single precision.
 LARGEST_EXPONENT = 40.0
 
@@ -144,13 +146,20 @@ def axial_numbers(strain, a_ta, lam, dx, nx, c):
 
 
 @jit
-def bound(finite, numbers, largest_share):
+def bound(finite, numbers, largest_share, length, dx):
     """Largest stiffness of the membrane, Pa/m, and of the beam beyond its prestrain, N/m². ``numbers``: NUMBERS."""
     n = numbers
     T, N = n[0], 0.0
     if finite:
-        T = max(T, stretched(SWING, n[2], n[3], n[4], n[5], n[6]))
-        N = axial(SWING, n[8], n[9], n[10], n[11], n[12], n[13], n[14], n[15], n[16], n[17], n[18])
+        e, above = 0.0, 4.0
+        for _ in range(40):  # T √e is increasing
+            middle = 0.5 * (e + above)
+            if stretched(middle, n[2], n[3], n[4], n[5], n[6]) * dx * dx * math.sqrt(middle) < SWING_PA * length:
+                e = middle
+            else:
+                above = middle
+        T = max(T, stretched(e, n[2], n[3], n[4], n[5], n[6]))
+        N = axial(e, n[8], n[9], n[10], n[11], n[12], n[13], n[14], n[15], n[16], n[17], n[18])
     return 4.0 * T * largest_share, 4.0 * max(N, 0.0)
 
 

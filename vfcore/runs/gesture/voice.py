@@ -3,7 +3,7 @@
 Live playing and offline rendering use the same engine, so the same targets give the same samples.
 """
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -41,18 +41,18 @@ class Voice:
     """One voice from its onset on. ``advance(target)`` moves to ``target`` within a block.
 
     The grid, the model and the step are those of ``start``; targets that differ in them are refused. The folds are one
-    and its mirror image until they differ, or ``walls`` is 2: two different ones from then on. ``played``: the sound at
-    0.3 m is left out, and each block reuses the memory of the one before, to keep the cache warm. Raises
-    ParameterError, PostureError or DivergenceError.
+    and its mirror image until they differ, from then on two walls. ``played``: the sound at 0.3 m is left out, and each
+    block reuses the memory of the one before, to keep the cache warm. Raises ParameterError, PostureError or
+    DivergenceError.
     """
 
-    def __init__(self, start: Simulation, played: bool = False, walls: int = 1):
+    def __init__(self, start: Simulation, played: bool = False):
         if start.run.time_step_s is not None:
             raise ParameterError("run.time_step_s", "is fixed while parameters move", "null")
         airways = airways_of(start, DEFAULT_STEP_S)  # those of the first vowel: their load on the folds does not glide
         folds = folds_of(start)
         postures = postures_of(folds)
-        glottis = glottis_of(folds, postures).with_walls(walls)
+        glottis = glottis_of(folds, postures)
         check_step(glottis, DEFAULT_STEP_S)
         march = TimeMarch(glottis, DEFAULT_STEP_S, start.subglottal_pressure_pa, airways=airways)
         march.start(0, static_shapes_of(glottis) if start.run.start == "static" else None)
@@ -101,6 +101,12 @@ class Voice:
         """
         x_m = np.array([wall.x_m for wall in self.glottis.walls])
         return x_m, self._gliding.seen[0], self._gliding.medial_m
+
+    def form_for(self, target: Simulation) -> StepForm:
+        """The form of the step in which this voice can reach ``target``: its present one where that is enough."""
+        two = target.left is not None or target.right is not None or len(folds_of(target)) == 2
+        needed = replace(self.form, walls=2 if two else 1, patched=bool(target.lesions))
+        return self.form.covering(needed)
 
     def advance(self, target: Simulation, look_at: int = 0) -> Block:
         """The next block, at whose end the request is ``target``. ``look_at``: the step at which ``seen`` is taken."""

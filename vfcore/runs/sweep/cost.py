@@ -8,7 +8,9 @@ from typing import Any
 
 from vfcore.errors import ParameterError
 from vfcore.fold.form import LANES
+from vfcore.runs.cost import node_steps, walls_of
 from vfcore.runs.sweep.plan import Sweep
+from vfcore.spec.declarations import SIDES
 from vfcore.spec.paths import DECLARATIONS, NUMBERS, value_at
 
 _OF_RUN = frozenset(path for path in NUMBERS if DECLARATIONS[path].part == "run")
@@ -20,10 +22,20 @@ _OVERHEAD_S = 2e-3  # per point: posture, coefficients, measures
 
 
 def point_node_steps(sweep: Sweep) -> float:
-    """Upper bound of nodes × steps of one point; steps that stability shortens are not counted."""
+    """Upper bound of the node-steps of one point; steps that stability shortens are not counted."""
     extremes = {DECLARATIONS[path].name: _extremes(values) for path, values in _varied_of_run(sweep).items()}
     corners: Iterator[dict[str, Any]] = (dict(zip(extremes, one, strict=True)) for one in product(*extremes.values()))
-    return max(replace(sweep.base.run, **corner).node_steps for corner in corners)
+    walls = 2 if _has_sides(sweep) else walls_of(sweep.base)
+    runs = (replace(sweep.base.run, **corner) for corner in corners)
+    return max(node_steps(sweep.base, run, run.step_s, walls) for run in runs)
+
+
+def _has_sides(sweep: Sweep) -> bool:
+    """Whether a value of one side is varied."""
+    paths = [path for axis in sweep.axes for path in axis.parameters] + [
+        path for point in sweep.points for path in point
+    ]
+    return any(path.partition(".")[0] in SIDES for path in paths)
 
 
 def check_cost(sweep: Sweep, points: int, node_steps: float, setting_points: str, setting_steps: str) -> None:

@@ -1,5 +1,7 @@
 """The calibration study of ``human``: a search for its constants, and the rule by which a set is adopted.
 
+All sets are run with constant tension (stretch ``linear``); the variant itself has finite stretch.
+
 The search starts from a Latin hypercube over constants and posture and minimises the shortfall of each set
 (vocalis.studies.norms.shortfall) by differential evolution. Its best sets are then judged in full: every norm, and
 every claim of the paper on full maps with runs of 1 s, compared with the paper's constants with either coupling. The

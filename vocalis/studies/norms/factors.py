@@ -89,7 +89,7 @@ def base_of(values: Mapping[str, float]) -> Simulation:
 
 
 def request_of(constants: Mapping[str, float], activation: Mapping[str, float]) -> Simulation:
-    """A request with these, two-way coupled, all other constants the paper's."""
+    """A request with these, two-way coupled, with constant tension, all other constants the paper's."""
     document: dict[str, Any] = {
         "model": {"coupling": "two_way"},
         "activation": dict(activation),
