@@ -202,7 +202,7 @@ def test_single_precision_is_the_same_voice_to_a_hundredth_through_onset(coupled
     "patch",
     [
         {"subglottal_pressure_pa": 700, "model": {"variant": "human"}},
-        {"right": {"activation": {"ta": 0.35}}, "model": {"variant": "human"}},
+        {"right": {"activation": {"ta": 0.45}}, "model": {"variant": "human"}, "subglottal_pressure_pa": 800},
         {"lesions": [LESION | {"stiffness_ratio": 2, "side": "left"}], "model": {"coupling": "two_way"}},
     ],
     ids=["human", "two sides", "lesion"],

@@ -42,7 +42,9 @@ class PlainMarch(TimeMarch):
         return np.column_stack([area, flow, largest, nowhere, none, np.full(samples, self.pressure_pa), none])
 
     def cycle(self, first_sample, last_sample, phases):
-        return {}
+        """Flat folds: no measure needs them."""
+        nx, ny = self.form.nx, self.form.ny
+        return {"cycle_w_m": np.zeros((1, phases, nx, ny)), "cycle_wb_m": np.zeros((1, phases, nx))}
 
     oldest_sample = 0
 
