@@ -88,16 +88,15 @@ def test_exchanged_walls_exchange_their_edges_and_leave_the_record(kind):
     assert np.abs(here["left_edge_m"] - here["right_edge_m"]).max() > 1e-4
 
 
-def test_walls_that_meet_off_the_midline_touch_no_more_than_those_that_meet_on_it():
-    """Both planes lean by 0.3 mm to the same side at the back; nothing moves, and only the closed row is at rest."""
-    left = replace(WALL, theta_g=0.02)
-    length = [replace(WALL, strain=strain).k.L for strain in (left.strain, 0.09)]
-    right = replace(WALL, strain=0.09, theta_g=-float(np.arctan(np.tan(0.02) * length[0] / length[1])))
+@pytest.mark.parametrize("strain", np.linspace(0.02, 0.13, 8))
+def test_walls_that_meet_off_the_midline_touch_no_more_than_those_that_meet_on_it(strain):
+    """Both planes lean by 0.3 mm to the same side at the back. Rounding of their sum must not count as contact."""
+    left, right = replace(WALL, theta_g=0.02), replace(WALL, strain=float(strain))
+    right = replace(right, theta_g=-float(np.arctan(np.tan(0.02) * left.k.L / right.k.L)))
     march = TimeMarch(Glottis((fold_of(left), fold_of(right))), DEFAULT_STEP_S, 0.0)
     record = np.empty((1, len(march.form.record)))
     march.advance(np.zeros(1), 1, record)
     assert np.abs(membrane(march, "G")[0]).max() > 3e-4
-    assert (membrane(march, "G") >= -membrane(march, "G", side=1)).all()
     assert record[0, COLUMN["contact_area_m2"]] == record[0, COLUMN["contact_pressure_max_pa"]] == 0
 
 
