@@ -198,9 +198,9 @@ def only_at_the_chosen_step(count: int, seed: int) -> tuple[list[Simulation], in
         ran += 1
         dt = time_step_s(request.run, glottis)
         assert glottis.form().finite and glottis.form().patched and glottis.form().walls == 2
-        if diverges(glottis, dt, request.subglottal_pressure_pa):
-            if not diverges(glottis, dt / 2, request.subglottal_pressure_pa):
-                found.append(request)
+        pressure_pa = request.subglottal_pressure_pa
+        if diverges(glottis, dt, pressure_pa) and not diverges(glottis, dt / 2, pressure_pa):
+            found.append(request)
     return found, ran
 
 

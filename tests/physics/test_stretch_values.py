@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import vfcore
-from tests.support.fold_harness import MODAL, advance, beam, membrane, product_and_twin
+from tests.support.fold_harness import NO_DAMPERS, SHEARS, WIDE_OPEN, advance, membrane, product_and_twin
 from vfcore.fold.march import TimeMarch
 from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S
@@ -34,28 +34,33 @@ def test_with_finite_stretch_pitch_rises_with_pressure_and_the_flow_stays_in_bou
 
 
 def test_a_tense_and_a_slack_side_vibrate_at_one_pitch():
-    state, values = measures(
-        left={"posture": POSTURE, "activation": {"ta": 0.4}},
-        right={"posture": {"strain": 0.057, "glottal_half_angle_rad": 0.1}, "activation": {"ta": 0.0}},
-        subglottal_pressure_pa=1000,
-    )
-    assert state == "periodic"
+    """The slack side leaves a gap of 0.7 mm² at the back, so the cycle is half closed but for that gap."""
+    sides = {
+        "left": {"posture": POSTURE, "activation": {"ta": 0.4}},
+        "right": {"posture": {"strain": 0.057, "glottal_half_angle_rad": 0.1}, "activation": {"ta": 0.0}},
+    }
+    result = vfcore.simulate(resolve(sides | {"subglottal_pressure_pa": 1000, "run": {"duration_s": 1.0}}))
+    values = {key: measure.value for key, measure in result.report.measures.items()}
+    assert result.report.state == "periodic"
     assert values["fo_hz"] == pytest.approx(145.2, rel=0.01)
     assert values["mean_flow_ml_s"] == pytest.approx(1750, rel=0.04)
-    assert values["closed_quotient"] == pytest.approx(0.50, abs=0.02)
+    area = result.arrays["glottal_area_m2"][len(result.arrays["glottal_area_m2"]) // 2 :]
+    assert area.min() == pytest.approx(0.7e-6, rel=0.1)
+    assert (area < area.min() + 0.02 * np.ptp(area)).mean() == pytest.approx(0.50, abs=0.02)
 
 
 @pytest.mark.kernel
-@pytest.mark.parametrize("shear", ["kelvin_voigt", "rotation"])
+@pytest.mark.parametrize("shear", SHEARS)
 def test_without_swing_finite_stretch_is_linear(shear):
-    """While the folds have moved less than 1 µm, the stretch is below 1e-8 and the motion the same to a millionth."""
+    """A membrane without a beam rings at an amplitude of 1 nm: stretched by 1e-14, it keeps its pitch."""
+    free = {"K_coup_min_pa_m": 0.0, "K_coup_max_pa_m": 0.0} | NO_DAMPERS
     motions = []
     for stretch in ("linear", "finite"):
-        glottis, _ = product_and_twin(**MODAL, nx=12, ny=6, shear=shear, stretch=stretch)
-        march = TimeMarch(glottis, DEFAULT_STEP_S, 100.0)
+        glottis, _ = product_and_twin(**WIDE_OPEN, nx=12, ny=6, shear=shear, stretch=stretch, **free)
+        march = TimeMarch(glottis, DEFAULT_STEP_S, 0.0)
         march.start(0, None)
-        advance(march, 4)
-        motions.append((membrane(march).copy(), beam(march).copy()))
-    for linear, finite in zip(*motions, strict=True):
-        assert 1e-9 < np.abs(linear).max() < 3e-6
-        assert np.abs(finite - linear).max() < 1e-6 * np.abs(linear).max()
+        advance(march, 700)
+        motions.append(membrane(march).copy())
+    linear, finite = motions
+    assert np.abs(finite - linear).max() < 1e-9 * np.abs(linear).max()
+    assert 1e-10 < np.abs(linear).max() < 2e-9

@@ -41,15 +41,16 @@ def modal():
 
 @pytest.fixture(scope="session")
 def modal_cycle():
-    fold = prepare(Simulation()).fold
-    march = TimeMarch(fold, PAPER_STEP_S, 1000.0)
-    march.start_flat()
+    glottis = prepare(Simulation()).glottis
+    [fold] = glottis.walls
+    march = TimeMarch(glottis, PAPER_STEP_S, 1000.0)
+    march.start(0, None)
     area = march.run(round(0.5 / PAPER_STEP_S / march.record_every))[:, 0]
     closed = area == 0
     opens = np.flatnonzero(closed[:-1] & ~closed[1:])
     fields = march.cycle(opens[-3], opens[-2], (opens[-2] - opens[-3]) * march.record_every)
-    again = TimeMarch(fold, PAPER_STEP_S, 1000.0)
-    again.start_flat()
+    again = TimeMarch(glottis, PAPER_STEP_S, 1000.0)
+    again.start(0, None)
     lines = advance(again, opens[-2] * march.record_every)[opens[-3] * march.record_every :]
     area = lines[:, 0]
     peak, last = int(area.argmax()), int(np.flatnonzero(area > 1e-3 * area.max())[-1])
@@ -57,7 +58,7 @@ def modal_cycle():
     inner = np.s_[:, 1:-1]
     return CycleOfModalVoice(
         fields["cycle_time_s"],
-        fields["cycle_w_m"][inner],
+        fields["cycle_w_m"][0][inner],
         fold.medial_plane_m.T[1:-1],
         fields["cycle_aerodynamic_pressure_pa"][inner],
         fields["cycle_contact_pressure_pa"][inner],

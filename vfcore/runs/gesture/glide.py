@@ -73,6 +73,8 @@ class GlidingGlottis:
                     view(march.buffer, march.layout, name, side)[:] = view(old.buffer, old.layout, name, of)
         assemble.beams(march.buffer, march.layout, "half_min")[:] = assemble.beams(old.buffer, old.layout, "half_min")
         self._take(march)
+        w, w_b = (np.repeat(part, wanted.walls // before.walls, axis=0) for part in self.seen)
+        self.seen = w, w_b
 
     @property
     def medial_m(self) -> np.ndarray:
