@@ -46,7 +46,12 @@ NUMBERS = (
         "relative change of a tension at which the shape has settled",
     ),
     ("vfcore.fold.statics", "MAX_STRETCHES", "1", "iterations allowed to find the tensions of the static shape"),
-    ("vfcore.fold.terms.tension", "SWING_PA", "Pa", "pressure of the largest swing for which the stability bound holds"),
+    (
+        "vfcore.fold.terms.tension",
+        "SWING_PA",
+        "Pa",
+        "pressure of the largest swing for which the stability bound holds",
+    ),
     ("vfcore.fold.terms.tension", "LARGEST_EXPONENT", "1", "largest exponent in the law of the tension"),
     ("vfcore.fold.closure", "CLOSED_GAP_M", "m", "full gap at or below which a static slice counts as closed"),
     ("vfcore.fold.closure", "SHORTEST_REGION", "1", "fraction of the length that a region must exceed to be named"),
