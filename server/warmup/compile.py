@@ -18,7 +18,7 @@ from vfcore.runs.gesture.voice import Voice
 from vfcore.runs.one import simulate
 from vfcore.spec.simulation import Simulation
 from vocalis.server.warmup.live import warm_up_voice
-from vocalis.server.warmup.requests import COUPLED, FORMS_AHEAD, IRREGULAR, PERIODIC, warm_up_points
+from vocalis.server.warmup.requests import COUPLED, FORMS_AHEAD, HUMAN, IRREGULAR, OF_MAPS, PERIODIC, warm_up_points
 
 _COMPLETE = "complete"  # a file in the folder of the kernels: all are compiled
 _NICENESS = 10
@@ -35,10 +35,18 @@ def compile_everything() -> None:
         (kernel_directory() / _COMPLETE).touch()
 
 
-def compile_forms() -> None:
+def load_forms() -> None:
     """Compile or load the further forms of the step that users meet first, each once."""
     for request in FORMS_AHEAD:
         forms.load(forms.form_of(request))
+
+
+def compile_forms() -> None:
+    """Compile or load these forms, and maps of the human variant."""
+    load_forms()
+    warm_up_points([HUMAN])
+    for form in OF_MAPS:
+        forms.load(form)  # which also marks it as compiled
 
 
 def everything_is_compiled() -> bool:
@@ -48,7 +56,7 @@ def everything_is_compiled() -> bool:
 
 def forms_are_compiled() -> bool:
     """Whether ``compile_forms`` would only load."""
-    return all(forms.is_compiled(forms.form_of(request)) for request in FORMS_AHEAD)
+    return all(map(forms.is_compiled, (*map(forms.form_of, FORMS_AHEAD), *OF_MAPS)))
 
 
 def in_background(compiles: Callable[[], None]) -> BaseProcess:

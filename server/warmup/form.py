@@ -8,17 +8,18 @@ import json
 import os
 import subprocess
 import sys
+from contextlib import suppress
 from dataclasses import asdict
 
 from vfcore.fold.form import StepForm
 from vfcore.runs.gesture import forms
 
-NICENESS = 10
+NICENESS = 5  # a user waits for it, but sound comes first
 LONGEST_S = 120.0
 
 
 def compile_outside(form: StepForm) -> bool:
-    """Compile a form in another process of low priority; whether that has worked. Returns when it has ended."""
+    """Compile a form in another process of lower priority; whether that has worked. Returns when it has ended."""
     command = [sys.executable, "-m", __spec__.name, json.dumps(asdict(form))]
     try:
         ended = subprocess.run(
@@ -30,5 +31,6 @@ def compile_outside(form: StepForm) -> bool:
 
 
 if __name__ == "__main__":
-    os.setpriority(os.PRIO_PROCESS, 0, NICENESS)  # the voice process may have a high one
+    with suppress(AttributeError):  # where the system has priorities; that of the voice process may be high
+        os.setpriority(os.PRIO_PROCESS, 0, NICENESS)
     forms.load(StepForm(**json.loads(sys.argv[1])))

@@ -17,6 +17,7 @@ from vocalis.server.warmup.compile import (
     everything_is_compiled,
     forms_are_compiled,
     in_background,
+    load_forms,
 )
 from vocalis.server.warmup.requests import COUPLED, IRREGULAR, PERIODIC
 
@@ -82,7 +83,7 @@ class Kernels:
         if not forms_are_compiled():
             self._wait_for(compile_forms)
         if not self._closed:
-            compile_forms()  # loads them
+            load_forms()
 
     def _wait_for(self, compiles: Callable[[], None]) -> None:
         """Compile in another process, and return when it has ended."""

@@ -69,6 +69,8 @@ def test_a_request_is_the_patch(modules):
         ],
         "vowels": [],
         "variants": [],
+        "sides": [],
+        "lists": [],
     }
     defaults = {"activation.ta": 0.4, "activation.pca": 0.0, "vowel": "a", "posture": None, "run.nx": 20}
     answer = modules(run, [document, {"activation.ta": 0.7, "run.nx": 30, "vowel": "i"}, defaults])

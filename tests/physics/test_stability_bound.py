@@ -8,11 +8,15 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.support.fold_harness import MODAL, SHEARS, advance, get_state, product_and_twin, put_state
+from vfcore.errors import DivergenceError, VocalisError
 from vfcore.fold.assemble import Glottis
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.material import FIELDS
-from vfcore.fold.stability import SAFETY, longest_stable_step_s
+from vfcore.fold.stability import SAFETY, longest_stable_step_s, time_step_s
 from vfcore.fold.statics import static_shapes_of
+from vfcore.runs.setup import prepare
+from vfcore.spec.request import resolve
+from vfcore.spec.simulation import Simulation
 
 POSTURES = [MODAL, {"strain": 0.23, "a_ta": 0.0, "theta_g": 0.018}, {"strain": -0.315, "a_ta": 1.0, "theta_g": 0.0}]
 #: Each makes another term dominant: tension, contact spring, contact damper, coupling, foundation spring, its damper.
@@ -139,3 +143,82 @@ def test_no_mode_of_the_step_grows_at_the_limit_for_any_constants(constants, str
     limit = longest_stable_step_s(glottis)
     for in_contact in (True, False):
         assert spectral_radius(twin, limit, in_contact) <= 1 + 1e-7
+
+
+GRIDS = ((12, 6), (20, 10), (12, 16))
+
+
+def two_sided(rng) -> Simulation:
+    """A random request with two sides, finite stretch and a lesion on each, at one of three grids."""
+    nx, ny = GRIDS[rng.integers(len(GRIDS))]
+    left = dict(zip(("ta", "ct", "lca", "ia"), rng.random(4), strict=True))
+    lesion = {
+        "kind": "custom",
+        "x": rng.uniform(0.2, 0.8),
+        "y": rng.random(),
+        "length_mm": rng.uniform(2, 12),
+        "width_mm": rng.uniform(2, 6),
+        "height_mm": rng.uniform(-0.3, 0.3),
+        "mass_ratio": np.exp(rng.uniform(-0.7, 0.7)),
+        "stiffness_ratio": np.exp(rng.uniform(-0.7, 0.7)),
+        "viscosity_ratio": np.exp(rng.uniform(-0.7, 0.7)),
+        "side": str(rng.choice(["left", "right", "both"])),
+    }
+    return resolve(
+        {
+            "activation": left | {"pca": 0.3 * rng.random()},
+            "right": {"activation": {"ta": rng.random(), "lca": rng.random()}},
+            "lesions": [lesion],
+            "subglottal_pressure_pa": rng.uniform(300, 1500),
+            "model": {"variant": str(rng.choice(["paper", "human"])), "coupling": "one_way", "stretch": "finite"},
+            "run": {"nx": int(nx), "ny": int(ny)},
+        }
+    )
+
+
+def diverges(glottis, dt, pressure_pa, duration_s=0.1) -> bool:
+    march = TimeMarch(glottis, dt, pressure_pa)
+    march.start(0, None)
+    try:
+        march.run(round(duration_s / (dt * march.record_every)))
+    except DivergenceError:
+        return True
+    return False
+
+
+def only_at_the_chosen_step(count: int, seed: int) -> tuple[list[Simulation], int]:
+    """Of ``count`` random requests those that diverge at the chosen step and not at half of it; and how many ran."""
+    rng, found, ran = np.random.default_rng(seed), [], 0
+    while ran < count:
+        request = two_sided(rng)
+        try:
+            glottis = prepare(request).glottis
+        except VocalisError:
+            continue
+        ran += 1
+        dt = time_step_s(request.run, glottis)
+        assert glottis.form().finite and glottis.form().patched and glottis.form().walls == 2
+        if diverges(glottis, dt, request.subglottal_pressure_pa):
+            if not diverges(glottis, dt / 2, request.subglottal_pressure_pa):
+                found.append(request)
+    return found, ran
+
+
+@pytest.mark.parametrize("count", [100, pytest.param(500, marks=pytest.mark.slow)])
+def test_no_voice_of_two_finite_patched_walls_diverges_at_the_chosen_step_only(count):
+    found, ran = only_at_the_chosen_step(count, seed=count)
+    assert ran == count and not found
+
+
+def test_far_beyond_the_bound_such_voices_diverge():
+    """The check above can fail: at twice the bound most of them diverge."""
+    rng = np.random.default_rng(3)
+    glottises = []
+    while len(glottises) < 10:
+        try:
+            request = two_sided(rng)
+            glottises.append((prepare(request).glottis, request.subglottal_pressure_pa))
+        except VocalisError:
+            continue
+    wild = [diverges(glottis, 2 * longest_stable_step_s(glottis), p) for glottis, p in glottises]
+    assert sum(wild) >= 8

@@ -1,5 +1,7 @@
 """The direct static solve against the relaxation of the twin and against damped motion of the step."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -11,7 +13,12 @@ from tests.support.fold_harness import (
     get_state,
     membrane,
     product_and_twin,
+    product_of,
 )
+from tests.support.glottis_twin import GlottisTwin
+from tests.support.patched_twin import patched
+from tests.support.wall_twin import WallTwin
+from vfcore.fold.constants import FoldConstants
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import time_step_s
 from vfcore.fold.statics import static_shapes_of
@@ -29,6 +36,7 @@ POSTURES = {
     "hard contact": MODAL | {"K_col_pa_m": 1e8},
     "odd grid": {"strain": 0.022, "a_ta": 0.4, "theta_g": 0.06, "nx": 21, "ny": 11},
 }
+HEAVY = FoldConstants(C_coup_pa_s_m=150.0, C_foun_pa_s=40.0)
 CASES = pytest.mark.parametrize(
     ("posture", "shear"),
     [(posture, shear) for posture in POSTURES.values() for shear in SHEARS],
@@ -81,6 +89,46 @@ def test_a_run_from_the_static_shape_without_pressure_stays_there(name, shear):
     assert np.abs(membrane(march) - shape.w_m).max() < 1e-12
     assert np.abs(get_state(march).w_b - shape.w_b[1:-1]).max() < 1e-12
     assert np.abs(shape.w_m).max() > 1e-5
+
+
+#: Glottises of the twin, by what their static shape needs beyond one uniform fold.
+ONE, OTHER = WallTwin(**MODAL), WallTwin(0.12, 0.1, 0.06)
+GLOTTISES = {
+    "finite": (replace(ONE, stretch="finite"),),
+    "finite, bowed": (WallTwin(0.1, 0.0, 0.0, stretch="finite"),),
+    "finite, rotation": (replace(ONE, stretch="finite", shear="rotation"),),
+    "two walls": (ONE, OTHER),
+    "two walls, finite": tuple(replace(wall, stretch="finite") for wall in (ONE, OTHER)),
+    "patch": (patched(ONE, bump_m=3e-4),),
+    "everything": tuple(patched(replace(wall, stretch="finite"), bump_m=2e-4) for wall in (ONE, OTHER)),
+}
+
+
+@pytest.mark.parametrize("walls", GLOTTISES.values(), ids=GLOTTISES)
+def test_shapes_of_finite_stretch_walls_and_patches_are_where_damped_motion_comes_to_rest(walls):
+    heavy = GlottisTwin(tuple(replace(wall, constants=HEAVY) for wall in walls))
+    glottis = product_of(heavy)
+    step = time_step_s(Run(), glottis)
+    march = TimeMarch(glottis, step, 0.0)
+    march.start(0, None)
+    advance(march, round(1.0 / step))
+    for side, (wall, shape) in enumerate(zip(heavy.walls, static_shapes_of(glottis), strict=True)):
+        assert np.abs(membrane(march, "w", side) - shape.w_m).max() < 1e-6 * wall.k.L
+        assert np.abs(beam(march, "w_b", side) - shape.w_b).max() < 1e-6 * wall.k.L
+        assert np.abs(shape.w_m).max() > 1e-5
+
+
+@pytest.mark.parametrize("walls", GLOTTISES.values(), ids=GLOTTISES)
+def test_every_force_of_finite_stretch_walls_and_patches_balances_at_the_static_shape(walls):
+    """Accelerations of the twin, relative to that of a 1 nm displacement of its slowest linear mode."""
+    twin = GlottisTwin(walls)
+    shapes, rest = static_shapes_of(product_of(twin)), []
+    for wall, shape in zip(walls, shapes, strict=True):
+        phi = np.diff(shape.w_m, axis=0)[:, 1:-1].T / wall.dy if wall.shear == "rotation" else wall.zero_state().phi
+        rest.append(wall.zero_state()._replace(w_m=shape.w_m[:, 1:-1].T, w_b=shape.w_b[1:-1], phi=phi))
+    for wall, (a_m, a_b, _) in zip(walls, twin.acceleration(rest, 0.0), strict=True):
+        scale = 1e-9 * (2 * np.pi * wall.mode_frequencies(1)[0]) ** 2
+        assert np.abs(a_m).max() < scale and np.abs(a_b).max() < scale
 
 
 def test_the_ends_are_at_rest_and_the_shape_has_its_grid():

@@ -3,6 +3,8 @@
 import subprocess
 import sys
 
+import pytest
+
 PLAY = """
 import gc
 from numba.core.registry import CPUDispatcher
@@ -27,6 +29,28 @@ print(before > 5, compiled() - before)
 """
 
 
-def test_nothing_is_left_to_compile_when_the_first_voice_sounds():
-    answer = subprocess.run([sys.executable, "-c", PLAY], capture_output=True, text=True, timeout=300)
+FOLDS_DIFFER = """
+from vfcore.runs.gesture import forms
+from vfcore.spec.request import patched, resolve
+
+warm_up_voice()
+voice, frame = Voice(Simulation(), played=True), StateFrame()
+voice.advance(Simulation())
+sides = [patched(Simulation(), {"right.activation.ta": ta}) for ta in (0.2, 0.1)]
+forms.load(voice.form_for(sides[0]))
+before = compiled()
+for target in sides:
+    frame.take(voice.advance(target, look_at=280))
+frame.text({}, *voice.outline)
+voice = Voice(sides[0], played=True)
+voice.advance(sides[0])
+print(voice.form.walls == 2, compiled() - before)
+"""
+
+
+@pytest.mark.parametrize(
+    "play", [PLAY, PLAY[: PLAY.index("warm_up_voice()\nbefore")] + FOLDS_DIFFER], ids=["one fold", "two folds"]
+)
+def test_nothing_is_left_to_compile_when_the_first_voice_sounds(play):
+    answer = subprocess.run([sys.executable, "-c", play], capture_output=True, text=True, timeout=300)
     assert answer.stdout.split() == ["True", "0"], answer.stdout + answer.stderr

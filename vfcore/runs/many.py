@@ -15,7 +15,7 @@ from vfcore.airways.tract import Tract
 from vfcore.errors import DivergenceError, ParameterError, VocalisError
 from vfcore.fold.assemble import Glottis
 from vfcore.fold.march_many import MarchInput, MarchResult, march_many
-from vfcore.fold.stability import time_step_s
+from vfcore.fold.stability import steps_to_try, time_step_s
 from vfcore.fold.statics import static_shapes_of
 from vfcore.larynx.posture.equilibrium import solve_each_posture
 from vfcore.larynx.posture.solution import PostureSolution
@@ -96,25 +96,46 @@ def _points(
                 if isinstance(found, VocalisError):
                     done[place] = found
                 else:
-                    inputs[place], marching[place] = _march_input(found), found
+                    marching[place] = found
+                    inputs[place] = _march_input(found, time_step_s(found.request.run, found.glottis))
             except VocalisError as error:
                 done[place] = error
-        places, following = list(inputs), 0
-        outcomes = march_many(list(inputs.values()), single_precision=single_precision, stop=stop)
-        marched = ((places[index], marching[places[index]], outcome) for index, outcome in outcomes)
-        for place, point in (_batched if single_precision else _one_by_one)(marched, keys):
-            done[place] = point
-            while following in done:
-                yield done.pop(following)
-                following += 1
+        following = 0
+        while inputs:
+            places, again = list(inputs), dict[int, MarchInput]()
+            outcomes = march_many(list(inputs.values()), single_precision=single_precision, stop=stop)
+            marched = _at_their_step(((places[index], outcome) for index, outcome in outcomes), inputs, marching, again)
+            for place, point in (_batched if single_precision else _one_by_one)(marched, keys):
+                done[place] = point
+                while following in done:
+                    yield done.pop(following)
+                    following += 1
+            inputs = again
         for place in sorted(done):
             yield done[place]
 
 
-def _march_input(found: _Postured) -> MarchInput:
+def _at_their_step(
+    outcomes: Iterable[tuple[int, MarchResult | DivergenceError]],
+    inputs: dict[int, MarchInput],
+    marching: dict[int, _Postured],
+    again: dict[int, MarchInput],
+) -> Iterator["_Marched"]:
+    """The outcomes that count, by place. A march that diverged and has a shorter step to try goes to ``again``."""
+    for place, outcome in outcomes:
+        found = marching[place]
+        if isinstance(outcome, DivergenceError):
+            steps = steps_to_try(found.request.run, found.glottis)
+            shorter = [step_s for step_s in steps if step_s < 0.75 * inputs[place].time_step_s]
+            if shorter:
+                again[place] = _march_input(found, shorter[0])
+                continue
+        yield place, found, outcome
+
+
+def _march_input(found: _Postured, step_s: float) -> MarchInput:
     run, glottis = found.request.run, found.glottis
     start = static_shapes_of(glottis) if run.start == "static" else None
-    step_s = time_step_s(run, glottis)
     airways = airways_of(found.request, step_s)
     pressure_pa = found.request.subglottal_pressure_pa
     given = MarchInput(glottis, step_s, pressure_pa, run.duration_s, run.pressure_rise_s, start, 0, airways)

@@ -15,7 +15,7 @@ from vfcore.errors import DivergenceError
 from vfcore.fold.assemble import Glottis
 from vfcore.fold.form import StepForm
 from vfcore.fold.march import TimeMarch
-from vfcore.fold.stability import longest_stable_step_s, time_step_s
+from vfcore.fold.stability import longest_stable_step_s, steps_to_try, time_step_s
 from vfcore.larynx.posture.solution import PostureSolution
 from vfcore.measures.catalogue import MeasureReport, measure_all
 from vfcore.measures.signals import Signals
@@ -53,16 +53,11 @@ def _run(
     request: Simulation, progress: Progress | None, stop: Stop | None, setup: GlottisSetup, step_s: float | None = None
 ) -> SimulationResult:
     """One run, with the time step ``step_s`` or the request's own."""
-    glottis, run = setup.glottis, request.run
-    step_s = step_s or time_step_s(run, glottis)
-    airways = airways_of(request, step_s)
-    march = TimeMarch(glottis, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, airways)
-    march.start(0, setup.statics if run.start == "static" else None)
-    sample_s = march.time_step_s * march.record_every
-    samples = round(run.duration_s / sample_s)
+    glottis = setup.glottis
     began = time.perf_counter()
-    record = march.run(samples, progress, stop)
+    march, record = _marched(request, setup, [step_s] if step_s else steps_to_try(request.run, glottis), progress, stop)
     kernel_seconds = time.perf_counter() - began
+    sample_s, samples = march.time_step_s * march.record_every, len(record)
 
     arrays = waveforms(record, sample_s, march.form)
     sound = whole_sound(request, arrays["glottal_flow_m3_s"], sample_s)
@@ -92,6 +87,24 @@ def _run(
         cycle_is_complete=complete,
         provenance=_provenance(march, sample_s, kernel_seconds),
     )
+
+
+def _marched(
+    request: Simulation, setup: GlottisSetup, steps_s: Sequence[float], progress: Progress | None, stop: Stop | None
+) -> tuple[TimeMarch, np.ndarray]:
+    """The march at the first of ``steps_s`` at which it does not diverge, and its record."""
+    run = request.run
+    for step_s in steps_s:
+        airways = airways_of(request, step_s)
+        march = TimeMarch(setup.glottis, step_s, request.subglottal_pressure_pa, run.pressure_rise_s, airways)
+        march.start(0, setup.statics if run.start == "static" else None)
+        samples = round(run.duration_s / (march.time_step_s * march.record_every))
+        try:
+            return march, march.run(samples, progress, stop)
+        except DivergenceError:
+            if step_s == steps_s[-1]:
+                raise
+    raise AssertionError("no step to try")
 
 
 def steps_of(request: Simulation, glottises: Sequence[Glottis]) -> list[float]:

@@ -118,7 +118,7 @@ VARIANTS = {
     ),
     "human": ModelVariant(
         "serry2026", "inferior_stiff", "kelvin_voigt", "two_way", "finite",
-        "Adult man: ten constants set for flow, pitch and level of human size, with constant tension; with finite "
+        "Adult man: ten constants set with constant tension for flow, pitch and level of human size; with finite "
         "stretch they meet 11 of 15 norms of men. Defaults: coupling two_way, stretch finite.",
         _HUMAN,
     ),
