@@ -80,7 +80,7 @@ class Kernels:
             return
         then()
         simulate(COUPLED)  # loads its kernels, so that the first coupled run does not wait for that
-        if not forms_are_compiled():
+        if not (self._closed or forms_are_compiled()):
             self._wait_for(compile_forms)
         if not self._closed:
             load_forms()

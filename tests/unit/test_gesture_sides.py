@@ -35,8 +35,10 @@ def test_the_form_of_a_request_is_known_before_its_posture(document):
     assert form_of(request) == prepare(request).glottis.form(coupled=coupled)
 
 
-def test_a_loaded_form_marches_at_once_and_is_known_to_be_compiled():
+def test_a_loaded_form_marches_at_once_and_is_known_to_be_compiled(monkeypatch, tmp_path):
+    monkeypatch.setattr("vfcore.runs.gesture.forms.kernel_directory", lambda: tmp_path)
     form = form_of(Simulation(run=Run(nx=9, ny=5)))
+    assert not is_loaded(form) and not is_compiled(form)
     load(form)
     assert is_loaded(form) and is_compiled(form)
     assert not is_loaded(form_of(Simulation(run=Run(nx=9, ny=6))))

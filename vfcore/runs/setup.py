@@ -44,7 +44,7 @@ class GlottisSetup(NamedTuple):
 
 
 def mean_posture(postures: Sequence[PostureSolution]) -> PostureSolution:
-    """The mean of every number of the postures of both sides."""
+    """The mean of every number of the postures of both sides; the half-angle is that of the mean gap and length."""
     if len(postures) == 1:
         return postures[0]
     left, right = postures
@@ -52,6 +52,10 @@ def mean_posture(postures: Sequence[PostureSolution]) -> PostureSolution:
     mean = {
         name: left if left is None or left == right else 0.5 * (left + right) for name, (left, right) in values.items()
     }
+    half_gaps = [posture.length_m * np.tan(posture.glottal_half_angle_rad) for posture in postures]
+    angle = np.arctan(0.5 * (half_gaps[0] + half_gaps[1]) / mean["length_m"])
+    # Processes that touch close the glottis exactly, but for rounding.
+    mean["glottal_half_angle_rad"] = float(angle) if abs(angle) > 1e-12 else 0.0
     return PostureSolution(**mean)
 
 

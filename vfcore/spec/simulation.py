@@ -166,11 +166,6 @@ class Run:
         """The time step, s."""
         return DEFAULT_STEP_S if self.time_step_s is None else float(self.time_step_s)
 
-    @property
-    def node_steps(self) -> float:
-        """Nodes × steps; steps that stability shortens are not counted."""
-        return self.nx * self.ny * self.duration_s / self.step_s
-
 
 @dataclass(frozen=True, slots=True)
 class Simulation:

@@ -16,11 +16,13 @@ HELP = """
 
 Times are medians over interleaved rounds after a warm-up round, and the quickest round, which is the time without
 contention. Timed are posture, static shape, the compiled loop at its own and at the paper's step, a plain loop for
-comparison, request to stored file, answers over HTTP and maps from request to table. Memory and compilation time are
-measured as well. Operations and bytes per step are counted by running the source of the loop on counting numbers; two
-small loops measure the peak rates of this core.
+comparison, request to stored file, answers over HTTP and maps from request to table. The forms of the step (finite
+stretch, two different folds, batches) and a map of the variant human are ratios to the linear step and to the paper's
+map, measured in turns; a played voice is a share of a core. Memory and compilation time are measured as well.
+Operations and bytes per step are counted by running the source of the loop on counting numbers; two small loops
+measure the peak rates of this core.
 
-- `vocalis bench` — the whole table and cost against work; about two minutes
+- `vocalis bench` — the whole table and cost against work; about five minutes
 - `vocalis bench --check` — compare the ratios with earlier runs on this processor; exit code 1 for a loss over 15 %
 - `vocalis bench --quick --json` — one round, no fresh processes, no history; for a script
 """
