@@ -17,8 +17,8 @@ export const LIVE_ARRAYS = [
 
 /**
  * `waves` start at `startS` (0 for a whole run). `fields` hold one cycle, shape (phases, nx, ny), and `cycle` says
- * when it was: `startS`, `periodS`, `complete` (false: nothing repeats, the fields are the last 10 ms). Of two different
- * folds x, y, medial and w are those of the left one.
+ * when it was: `startS`, `periodS`, `complete` (false: nothing repeats, the fields are the last 10 ms). Of two
+ * different folds x, y, medial and w are those of the left one.
  */
 export function makeResult({ header, arrays }, startS = 0) {
   const rate = header.provenance.sample_rate_hz;
