@@ -134,8 +134,8 @@ class Glottis:
         left, right = self.walls[0], self.walls[-1]
         if left is right:
             return left.field("contact"), left.field("contact_damper")
-        pair = np.vectorize(in_series, otypes=[float])
-        return tuple(pair(left.field(name), right.field(name)) for name in ("contact", "contact_damper"))
+        stiffness, damper = (in_series(left.field(name), right.field(name)) for name in ("contact", "contact_damper"))
+        return stiffness, damper
 
     def with_walls(self, count: int) -> "Glottis":
         """The same glottis with at least ``count`` walls: a fold and its mirror image as two."""

@@ -1,13 +1,13 @@
 """Factors and inverse of a symmetric pentadiagonal matrix, the implicit one of the beam: M = I − dt²A/4.
 
 M = L D Lᵀ, with two subdiagonals in L. The diagonal of M varies; its first and second off-diagonals are the constants
-``first`` and ``second`` (the end moments change only the two corners of the diagonal, vfcore/larynx/tissue/beam.py):
+``first`` and ``second`` (the end moments change only the two corners of the diagonal, vfcore/fold/terms/beam.py):
 
     D_i = m_ii − a_i² D_{i−1} − c_i² D_{i−2},   c_i = second/D_{i−2},   a_i = (first − c_i D_{i−2} a_{i−1})/D_{i−1}
 
 M x = r is then solved by y_i = r_i − a_i y_{i−1} − c_i y_{i−2} and x_i = y_i/D_i − a_{i+1} x_{i+1} − c_{i+2} x_{i+2}.
 No pivoting: M must be positive definite, which holds where A has no positive eigenvalue. Dimensionless; direct, so
-exact but for rounding. Twin: np.linalg.inv (tests/physics/test_kernel_target.py).
+exact but for rounding. Twin: np.linalg.inv (tests/physics/test_kernel_assembly.py).
 """
 
 from vfcore.kernels.jit import inlined

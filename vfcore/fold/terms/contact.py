@@ -16,7 +16,7 @@ measured contact pressures.
 
 import numpy as np
 
-from vfcore.kernels.jit import formula, jit
+from vfcore.kernels.jit import jit
 from vfcore.kernels.simd import select
 
 #: Of the glottis.
@@ -35,12 +35,10 @@ def contact_pressure(depth, speed, K_col, C_col):
     return select(touching(depth), K_col * depth + C_col * speed, 0.0)
 
 
-@formula
-def in_series(one, other):
-    """Stiffness or damper of the contact of two walls; of equal ones that of each."""
-    if one == other:
-        return one
-    return 2.0 * one * other / (one + other) if one + other > 0.0 else 0.0
+def in_series(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Stiffness or damper of the contact of two walls, node by node; of equal ones exactly that of each."""
+    total = one + other
+    return np.where(one == other, one, 2.0 * one * other / np.where(total > 0.0, total, 1.0))
 
 
 @jit
