@@ -54,7 +54,7 @@ class Services:
         return cls(
             settings=settings,
             access=access_for(settings.host, token, settings.allowed_hosts, secure=settings.tls_cert is not None),
-            kernels=Kernels(),
+            kernels=Kernels(settings.compile_forms),
             storage=storage,
             events=events,
             jobs=JobService(recorder, storage, scheduler, settings.jobs_per_client, settings.queue_length),

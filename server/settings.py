@@ -41,6 +41,9 @@ class Settings(BaseSettings):
     interactive_waiting: int = Field(default=16, ge=1, le=1000, description="runs that may wait for a slot")
     posture_waiting: int = Field(default=128, ge=1, le=10_000, description="postures that may wait, of some ms each")
     gesture_duration_s: float = Field(default=30.0, gt=0, description="longest gesture rendered while the client waits")
+    compile_forms: bool = Field(
+        default=True, description="after the start, compile ahead what two folds, lesions and the human variant need"
+    )
     live_voices: int = Field(default=8, ge=0, le=256, description="voices played at a time")
 
     body_bytes: int = Field(default=1_048_576, ge=1024, description="largest request body")

@@ -29,7 +29,8 @@ LOOK_EVERY_S = 0.02
 class Kernels:
     """Which kernels are compiled, with a message for people."""
 
-    def __init__(self) -> None:
+    def __init__(self, further_forms: bool = True) -> None:
+        self._further_forms = further_forms
         self._postures, self._runs = threading.Event(), threading.Event()
         self._failed = self._closed = False
         self._background: BaseProcess | None = None
@@ -42,7 +43,7 @@ class Kernels:
 
     def start(self, then: Callable[[], None] = lambda: None) -> None:
         """Compile in a thread, and the less urgent kernels in processes: first those of maps and live voices, after
-        which the thread calls ``then``, and then further forms of the step.
+        which the thread calls ``then``, and then, unless the server shall not, further forms of the step.
         """
         threading.Thread(target=self._compile_all, args=(then,), name="compile", daemon=True).start()
 
@@ -80,7 +81,9 @@ class Kernels:
             return
         then()
         simulate(COUPLED)  # loads its kernels, so that the first coupled run does not wait for that
-        if not (self._closed or forms_are_compiled()):
+        if self._closed or not self._further_forms:
+            return
+        if not forms_are_compiled():
             self._wait_for(compile_forms)
         if not self._closed:
             load_forms()

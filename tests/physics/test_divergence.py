@@ -74,6 +74,7 @@ def test_a_displacement_beyond_the_bound_is_a_divergence(value):
 
 
 def test_a_run_that_diverges_raises_the_error(monkeypatch):
-    monkeypatch.setattr(sys.modules["vfcore.runs.one"], "time_step_s", lambda run, glottis: too_long_step(glottis))
+    too_long = lambda run, glottis: [too_long_step(glottis)]  # noqa: E731
+    monkeypatch.setattr(sys.modules["vfcore.runs.one"], "steps_to_try", too_long)
     with pytest.raises(DivergenceError, match=r"the run diverged at t = .* ms"):
         vfcore.simulate(Simulation(run=Run(duration_s=0.2)))

@@ -33,7 +33,7 @@ PROBLEM = {"type": "urn:test", "title": "t", "status": 422, "detail": "d"}
 def row_of(computation: Computation) -> Row:
     """A row that tells which point it is of."""
     width = len(columns(sweep_from_dict(SWEEPS[0])))
-    return Row("periodic", np.full(width, computation.settings["activation.ct"]), {}, None)
+    return Row("periodic", np.full(width, computation.own.settings["activation.ct"]), {}, None)
 
 
 class Jobs(RuleBasedStateMachine):

@@ -295,9 +295,9 @@ def test_error_bars_come_with_an_answer_that_asks_for_them_and_count_as_work(cli
     assert client.post("/simulate", json={"run": {"duration_s": 0.3}}).json()["error_estimate"] is None
     wrong = problem(client.post("/simulate", json={"run": {"error_estimate": 1}}), 422)["errors"]
     assert [(error["path"], error["allowed"]) for error in wrong] == [("run.error_estimate", "true | false")]
-    with serving(simulate_node_steps=3e6) as server:  # 20 × 10 nodes for 0.3 s are 2.1e6, their companions 24e6
+    with serving(simulate_node_steps=2e6) as server:  # 20 × 10 nodes for 0.3 s are 1.7e6, their companions 24e6
         assert server.client().post("/simulate", json={"run": {"duration_s": 0.3}}).status_code == 200
         detail = problem(server.client().post("/simulate", json=body), 422)["detail"]
         assert "finer runs of its error estimate" in detail and "node-steps" in detail
-        two = {"right": {"activation": {"ta": 0.1}}, "run": {"duration_s": 0.3}}  # 3.4e6
+        two = {"right": {"activation": {"ta": 0.1}}, "run": {"duration_s": 0.3}}  # 2.7e6
         assert "on each of two folds" in problem(server.client().post("/simulate", json=two), 422)["detail"]

@@ -113,7 +113,8 @@ def test_two_different_folds_are_documented_each_and_as_one():
         assert sides[side]["posture"] == alone["posture"] and sides[side]["coefficients"] == alone["coefficients"]
         assert sides[side]["static_shape"]["x_m"] == alone["static_shape"]["x_m"]
     assert document["posture"]["strain"] == pytest.approx(0.08, rel=1e-12)
-    assert document["posture"]["glottal_half_angle_rad"] == pytest.approx(0.02, rel=1e-12)
+    gap = sum((1 + given["strain"]) * np.tan(given["glottal_half_angle_rad"]) for given in postures)
+    assert document["posture"]["glottal_half_angle_rad"] == pytest.approx(np.arctan(gap / 2 / 1.08), rel=1e-12)
     assert document["coefficients"] == sides["left"]["coefficients"] != sides["right"]["coefficients"]
     assert document["static_shape"] == sides["left"]["static_shape"]
 
