@@ -206,6 +206,8 @@ def test_the_address_restores_the_settings(modules):
           { ...common, key: "posture.strain", optional_part: "posture" },
           { ...common, key: "run.error_estimate", type: "boolean" },
         ],
+        sides: [],
+        lists: [],
       });
       const query = writeQuery(schema, { vowel: "i", "run.error_estimate": true, "activation.ta": 0.55, x: 1 });
       const link = linkOf(schema, {}, "maps");

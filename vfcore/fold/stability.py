@@ -34,7 +34,7 @@ from vfcore.spec.simulation import DEFAULT_STEP_S, Run
 
 #: Fraction of the bound that is used: margin for rounding and for the air, which the linear bound does not include.
 SAFETY = 0.95
-#: How often the step is halved for a march with finite stretch that diverges.
+#: How often the step is halved for a march that diverges.
 HALVINGS = 2
 bound_tension, bound_shear, bound_coupling = tension.bound, shear.bound, coupling.bound
 _TENSION, _SHEAR, _COUPLING = (place_of(term).start for term in (tension, shear, coupling))
@@ -102,12 +102,12 @@ def time_step_s(run: Run, glottis: Glottis) -> float:
 def steps_to_try(run: Run, glottis: Glottis) -> list[float]:
     """``time_step_s``, and shorter ones for a march that diverges, s.
 
-    With finite stretch the bound holds up to a largest swing (terms/tension.py). A voice that swings further may
-    diverge at the chosen step although it has a solution, so it is marched again at half the step, HALVINGS times at
-    most. A requested step is tried alone, and so is the step of constant tension, whose bound has no such limit.
+    The bound does not include the air, and with finite stretch it holds up to a largest swing (terms/tension.py). A
+    voice beyond that may diverge at the chosen step although it has a solution, so it is marched again at half the
+    step, HALVINGS times at most. A requested step is tried alone.
     """
     first = time_step_s(run, glottis)
-    halvings = HALVINGS if run.time_step_s is None and glottis.walls[0].finite else 0
+    halvings = HALVINGS if run.time_step_s is None else 0
     return [first / 2**k for k in range(halvings + 1)]
 
 
