@@ -22,6 +22,8 @@ from vfcore.fold.constants import FoldConstants
 from vfcore.fold.march import TimeMarch
 from vfcore.fold.stability import time_step_s
 from vfcore.fold.statics import static_shapes_of
+from vfcore.runs.setup import prepare
+from vfcore.spec.request import resolve
 from vfcore.spec.simulation import DEFAULT_STEP_S, Run
 
 POSTURES = {
@@ -146,3 +148,13 @@ def test_the_closure_is_that_of_the_smallest_gap_of_each_slice():
     gap = 2 * np.maximum(shape.medial_m - shape.w_m, 0).min(axis=0)
     assert shape.closure.open_area_m2 == pytest.approx(np.trapezoid(gap, shape.x_m), rel=1e-12)
     assert shape.closure.pattern == "open"
+
+
+def test_the_open_area_of_two_folds_of_different_length_is_that_of_their_mirror_image():
+    long = {"posture.strain": 0.2, "posture.glottal_half_angle_rad": 0.1, "activation.ta": 0.1}
+    on_left, on_right = (
+        prepare(resolve({f"{side}.{path}": value for path, value in long.items()})) for side in ("left", "right")
+    )
+    first, second = (wall.x_m[-1] for wall in on_left.glottis.walls)
+    assert first > 1.1 * second
+    assert on_left.static.closure.open_area_m2 == pytest.approx(on_right.static.closure.open_area_m2, rel=1e-9)

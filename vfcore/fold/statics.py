@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vfcore.errors import StaticShapeError
-from vfcore.fold.assemble import Fold, Glottis
+from vfcore.fold.assemble import Glottis
 from vfcore.fold.closure import ClosureShape, describe_closure
 from vfcore.fold.equilibrium import NO_SOLUTION, equilibrium_with_contact
 from vfcore.fold.terms import of_term, tension
@@ -121,8 +121,7 @@ def _shapes(glottis: Glottis, solver: _Solver, iterations: int) -> tuple[StaticS
     shapes = [solver.displacements(side) for side in range(len(glottis.walls))]
     halves = [wall.medial_plane_m - w for wall, (w, _) in zip(glottis.walls, shapes, strict=True)]
     gap = np.maximum(2.0 * sum(halves) / len(halves), 0.0).min(axis=0)
-    first: Fold = glottis.walls[0]
-    closure = describe_closure(gap, first.x_m)
+    closure = describe_closure(gap, np.mean([wall.x_m for wall in glottis.walls], axis=0))
     return tuple(
         StaticShape(wall.x_m, wall.y_m, w, w_b, wall.medial_plane_m, closure, iterations)
         for wall, (w, w_b) in zip(glottis.walls, shapes, strict=True)

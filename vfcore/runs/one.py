@@ -107,11 +107,10 @@ def _marched(
     raise AssertionError("no step to try")
 
 
-def steps_of(request: Simulation, glottises: Sequence[Glottis]) -> list[float]:
-    """Time steps in force, s, of a request and of its companions, if any, on their grids."""
-    own = time_step_s(request.run, glottises[0])
-    finer = zip(REFINEMENTS, glottises[1:], strict=False)
-    return [own, *(companion_step_s(own, by, longest_stable_step_s(glottis)) for by, glottis in finer)]
+def _steps_of(own_s: float, glottises: Sequence[Glottis]) -> list[float]:
+    """Time steps in force, s, of a run, ``own_s``, and of its companions on their grids."""
+    finer = zip(REFINEMENTS, glottises[1:], strict=True)
+    return [own_s, *(companion_step_s(own_s, by, longest_stable_step_s(glottis)) for by, glottis in finer)]
 
 
 def _run_with_companions(
@@ -120,19 +119,21 @@ def _run_with_companions(
     """The run itself and its companions; progress is shared in proportion to their work."""
     requests = (request, *companions(request))
     setups = [prepared_by(one) for one in requests]
-    steps = steps_of(request, [setup.glottis for setup in setups])
+    glottises = [setup.glottis for setup in setups]
+    steps = _steps_of(time_step_s(request.run, glottises[0]), glottises)
     work = np.cumsum([0.0] + [one.run.nx * one.run.ny / step for one, step in zip(requests, steps, strict=True)])
     work /= work[-1]
 
-    def run(k: int) -> SimulationResult:
+    def run(k: int, step_s: float | None) -> SimulationResult:
         shared = progress and (lambda part: progress(work[k] + part * (work[k + 1] - work[k])))
-        return _run(requests[k], shared, stop, setups[k], steps[k])
+        return _run(requests[k], shared, stop, setups[k], step_s)
 
-    result = run(0)
+    result = run(0, None)
+    steps = _steps_of(result.provenance.time_step_s, glottises)  # a march that diverged has taken a shorter one
     levels, reports = [_level(request, steps[0], result)], [result.report]
     for k, one in enumerate(requests[1:], start=1):
         try:
-            found = run(k)
+            found = run(k, steps[k])
         except DivergenceError:
             reason = f"The companion on {one.run.nx} × {one.run.ny} nodes diverges."
             return replace(result, error_estimate=without_bars(levels, reason))
