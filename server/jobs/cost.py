@@ -5,6 +5,7 @@ runs of an error estimate.
 from dataclasses import replace
 
 from vfcore.errors import ParameterError
+from vfcore.fold.stability import time_step_s
 from vfcore.runs.cost import node_steps, walls_of
 from vfcore.runs.error_estimate import companions
 from vfcore.runs.one import steps_of
@@ -22,7 +23,8 @@ def check_cost(request: Simulation, limit: float, setting: str) -> None:
     walls = walls_of(request)
     cost = sum(node_steps(request, one, run.step_s, walls) for one in runs)
     if cost <= limit:  # the steps can only be shorter than this, so a run above the limit needs no posture
-        steps = steps_of(request, [prepare(replace(request, run=one)).glottis for one in runs])
+        glottises = [prepare(replace(request, run=one)).glottis for one in runs]
+        steps = steps_of(time_step_s(run, glottises[0]), glottises)
         cost = sum(node_steps(request, one, step, walls) for one, step in zip(runs, steps, strict=True))
     if cost > limit:
         raise ParameterError(

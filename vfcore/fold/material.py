@@ -8,8 +8,8 @@ A patch is centred at (x_0, y_0), fractions of length and thickness, and smooth:
 
     s(x, y) = cos²(π r/2) for r < 1, else 0,    r² = ((x − x_0 L)/(l/2))² + ((y − y_0 b)/(w/2))²
 
-with the extents l along the fold and w over the thickness. It moves the medial surface by its height, G → G − height·s,
-and multiplies: mass by 1 + (m − 1) s; tension, shear, coupling and contact by 1 + (k − 1) s; the dampers of shear,
+with the extents l along the fold and w over the thickness. It moves the medial surface by its height between the fixed
+ends, G → G − height·s, and multiplies: mass by 1 + (m − 1) s; tension, shear, coupling and contact by 1 + (k − 1) s; the dampers of shear,
 coupling and contact by 1 + (c − 1) s. Several patches multiply. The shape is this project's choice; what it stands for
 is in vfcore/spec. Algebraic; a patch is resolved by the grid if it spans several nodes.
 """
@@ -65,7 +65,8 @@ def fill_fields(length, thickness, rho_s, G_t, eta_t, opening, leaning, inferior
             for i in range(nx):
                 x, y = i * dx, j * dy
                 s = weight(x, y, length, thickness, patch)
-                fields[0, j, i] -= patch[4] * s
+                if 0 < i < nx - 1:  # the ends of the fold are fixed
+                    fields[0, j, i] -= patch[4] * s
                 fields[1, j, i] *= 1.0 + mass * s
                 fields[2, j, i] *= 1.0 + stiff * weight(x + 0.5 * dx, y, length, thickness, patch)
                 half_row = weight(x, y + 0.5 * dy, length, thickness, patch)

@@ -107,9 +107,9 @@ def _marched(
     raise AssertionError("no step to try")
 
 
-def _steps_of(own_s: float, glottises: Sequence[Glottis]) -> list[float]:
-    """Time steps in force, s, of a run, ``own_s``, and of its companions on their grids."""
-    finer = zip(REFINEMENTS, glottises[1:], strict=True)
+def steps_of(own_s: float, glottises: Sequence[Glottis]) -> list[float]:
+    """Time steps in force, s, of a run, ``own_s``, and of its companions, if any, on their grids."""
+    finer = zip(REFINEMENTS, glottises[1:], strict=False)
     return [own_s, *(companion_step_s(own_s, by, longest_stable_step_s(glottis)) for by, glottis in finer)]
 
 
@@ -120,7 +120,7 @@ def _run_with_companions(
     requests = (request, *companions(request))
     setups = [prepared_by(one) for one in requests]
     glottises = [setup.glottis for setup in setups]
-    steps = _steps_of(time_step_s(request.run, glottises[0]), glottises)
+    steps = steps_of(time_step_s(request.run, glottises[0]), glottises)
     work = np.cumsum([0.0] + [one.run.nx * one.run.ny / step for one, step in zip(requests, steps, strict=True)])
     work /= work[-1]
 
@@ -129,7 +129,7 @@ def _run_with_companions(
         return _run(requests[k], shared, stop, setups[k], step_s)
 
     result = run(0, None)
-    steps = _steps_of(result.provenance.time_step_s, glottises)  # a march that diverged has taken a shorter one
+    steps = steps_of(result.provenance.time_step_s, glottises)  # a march that diverged has taken a shorter one
     levels, reports = [_level(request, steps[0], result)], [result.report]
     for k, one in enumerate(requests[1:], start=1):
         try:

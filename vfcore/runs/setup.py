@@ -55,6 +55,7 @@ def mean_posture(postures: Sequence[PostureSolution]) -> PostureSolution:
     half_gaps = [posture.length_m * np.tan(posture.glottal_half_angle_rad) for posture in postures]
     angle = np.arctan(0.5 * (half_gaps[0] + half_gaps[1]) / mean["length_m"])
     # Processes that touch close the glottis exactly, but for rounding.
+    mean["contact_plane_m"] = None  # of a side
     mean["glottal_half_angle_rad"] = float(angle) if abs(angle) > 1e-12 else 0.0
     return PostureSolution(**mean)
 
