@@ -9,9 +9,9 @@ A patch is centred at (x_0, y_0), fractions of length and thickness, and smooth:
     s(x, y) = cos²(π r/2) for r < 1, else 0,    r² = ((x − x_0 L)/(l/2))² + ((y − y_0 b)/(w/2))²
 
 with the extents l along the fold and w over the thickness. It moves the medial surface by its height between the fixed
-ends, G → G − height·s, and multiplies: mass by 1 + (m − 1) s; tension, shear, coupling and contact by 1 + (k − 1) s; the
-dampers of shear, coupling and contact by 1 + (c − 1) s. Several patches multiply. The shape is this project's choice;
-what it stands for is in vfcore/spec. Algebraic; a patch is resolved by the grid if it spans several nodes.
+ends, G → G − height·s, and multiplies: mass by 1 + (m − 1) s; tension, shear, coupling and contact by 1 + (k − 1) s;
+the dampers of shear, coupling and contact by 1 + (c − 1) s. Several patches multiply. The shape is this project's
+choice; what it stands for is in vfcore/spec. Algebraic; a patch is resolved by the grid if it spans several nodes.
 """
 
 import math
