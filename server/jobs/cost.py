@@ -20,12 +20,12 @@ def check_cost(request: Simulation, limit: float, setting: str) -> None:
     """
     run = request.run
     runs = [run, *(one.run for one in companions(request))] if run.error_estimate else [run]
-    walls = walls_of(request)
-    cost = sum(node_steps(request, one, run.step_s, walls) for one in runs)
+    walls, patched = walls_of(request), bool(request.lesions)
+    cost = sum(node_steps(request, one, run.step_s, walls, patched) for one in runs)
     if cost <= limit:  # the steps can only be shorter than this, so a run above the limit needs no posture
         glottises = [prepare(replace(request, run=one)).glottis for one in runs]
         steps = steps_of(time_step_s(run, glottises[0]), glottises)
-        cost = sum(node_steps(request, one, step, walls) for one, step in zip(runs, steps, strict=True))
+        cost = sum(node_steps(request, one, step, walls, patched) for one, step in zip(runs, steps, strict=True))
     if cost > limit:
         raise ParameterError(
             "run", f"{run.nx}×{run.ny} nodes{' on each of two folds' if walls == 2 else ''} for {run.duration_s:g} s"

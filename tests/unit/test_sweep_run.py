@@ -14,6 +14,7 @@ import xarray
 import vfcore
 from vfcore.errors import Cancelled, ParameterError
 from vfcore.fold.form import LANES
+from vfcore.runs.cost import node_steps, walls_of
 from vfcore.runs.many import run_points
 from vfcore.runs.sweep import SweepTable, run_sweep, sweep_from_dict
 from vfcore.runs.sweep.cost import Portions, point_node_steps
@@ -21,6 +22,7 @@ from vfcore.runs.sweep.dataset import dataset
 from vfcore.runs.sweep.files import write_csv, write_netcdf
 from vfcore.runs.sweep.journal import Journal
 from vfcore.runs.sweep.row import decode, encode
+from vfcore.spec.sides import folds_of
 from vfcore.spec.simulation import DEFAULT_STEP_S
 
 SHORT = {"run": {"duration_s": 0.2}}
@@ -82,6 +84,33 @@ def test_two_folds_coupling_and_lesions_cost_more():
         assert least < found / alone < most, more
     one_side = sweep_from_dict({"base": SHORT, "axes": [{"parameter": "right.activation.ct", "values": [0.1, 0.4]}]})
     assert point_node_steps(one_side) > 1.4 * alone, "the points have two folds, though the base has one"
+
+
+CLOSER = {"parameter": "activation.ta", "values": [0.1, 0.4]}
+HEIGHT = {"parameter": "lesions.0.height_mm", "values": [0.0, 0.3]}
+
+
+@pytest.mark.parametrize(
+    ("base", "axis"),
+    [
+        ({}, HEIGHT),
+        ({"lesions": [{"side": "left"}]}, HEIGHT),
+        ({"lesions": [{"side": "both"}]}, HEIGHT),
+        ({}, {"parameter": "left.activation.ta", "values": [0.1, 0.4]}),
+        ({"right": {"activation": {"ta": 0.4}}}, CLOSER),
+        ({"lesions": [{"kind": "polyp", "side": "left"}]}, CLOSER),
+    ],
+)
+def test_no_point_costs_more_than_the_bound_of_its_sweep(base, axis):
+    """Also where the base has one fold without lesions and a point has two, or lesions."""
+    sweep = sweep_from_dict({"base": SHORT | base, "axes": [axis]})
+    points = [sweep.request(position) for position in range(len(sweep))]
+    lesioned = [any(fold.lesions for fold in folds_of(one)) for one in points]
+    costs = [
+        node_steps(one, one.run, one.run.step_s, walls_of(one), patched)
+        for one, patched in zip(points, lesioned, strict=True)
+    ]
+    assert max(costs) <= point_node_steps(sweep)
 
 
 def test_every_null_of_the_document_is_explained(table):

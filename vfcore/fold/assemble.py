@@ -157,16 +157,9 @@ class Glottis:
         )
 
 
-def assemble(
-    request: Simulation,
-    strain: float,
-    c: Coefficients,
-    theta_g: float,
-    theta_0: float,
-    medial_angle: float | None = None,
-) -> Fold:
+def assemble(request: Simulation, strain: float, c: Coefficients, theta_g: float, theta_0: float) -> Fold:
     """The fold of a request at a given posture: ``strain`` ε̄, coefficients ``c``, and in rad the half-angle ``theta_g``
-    clipped at 0, the rest angle ``theta_0``, and the angle of the medial plane, by default ``theta_g``.
+    of the posture (negative for a side that crosses the midline) and the rest angle ``theta_0``.
     """
     nx, ny = request.run.nx, request.run.ny
     model, constants = request.model, request.constants
@@ -180,7 +173,7 @@ def assemble(
         float(theta_g),
         float(theta_0),
         float(np.tan(request.convergence_angle_rad)),
-        float(np.tan(theta_g if medial_angle is None else medial_angle)),
+        float(np.tan(theta_g)),
         model.coupling_gradient == "inferior_stiff",
         packed(constants),
         patches,

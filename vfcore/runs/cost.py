@@ -19,14 +19,14 @@ def walls_of(request: Simulation) -> int:
     return len(folds_of(request))
 
 
-def node_steps(request: Simulation, run: Run, step_s: float, walls: int) -> float:
-    """Work of ``request`` with another ``run``, a time step of ``step_s`` and so many walls."""
+def node_steps(request: Simulation, run: Run, step_s: float, walls: int, patched: bool) -> float:
+    """Work of ``request`` with another ``run``, a time step of ``step_s``, so many walls, with or without patches."""
     model = request.model
     nodes = float(run.nx * run.ny)
     for holds, factor in (
         (walls == 2, TWO_WALLS),
         (model.stretch == "finite", FINITE_STRETCH),
-        (bool(request.lesions), PATCHES),
+        (patched, PATCHES),
         (model.shear == "rotation", ROTATION),
     ):
         nodes *= factor if holds else 1.0

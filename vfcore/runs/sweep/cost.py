@@ -14,6 +14,7 @@ from vfcore.spec.declarations import SIDES
 from vfcore.spec.paths import DECLARATIONS, NUMBERS, value_at
 
 _OF_RUN = frozenset(path for path in NUMBERS if DECLARATIONS[path].part == "run")
+LESIONS = "lesions"
 TASK_S = (0.2, 1.0)  # long against the round trip, short enough that a lost or stopped task costs little
 TASKS_PER_WORKER = 8  # at least so many, so that all workers finish at about the same time
 MOST_PER_TASK = 512
@@ -25,17 +26,23 @@ def point_node_steps(sweep: Sweep) -> float:
     """Upper bound of the node-steps of one point; steps that stability shortens are not counted."""
     extremes = {DECLARATIONS[path].name: _extremes(values) for path, values in _varied_of_run(sweep).items()}
     corners: Iterator[dict[str, Any]] = (dict(zip(extremes, one, strict=True)) for one in product(*extremes.values()))
-    walls = 2 if _has_sides(sweep) else walls_of(sweep.base)
-    runs = (replace(sweep.base.run, **corner) for corner in corners)
-    return max(node_steps(sweep.base, run, run.step_s, walls) for run in runs)
+    base, parts = sweep.base, _varied_parts(sweep)
+    patched = bool(base.lesions) or LESIONS in parts
+    # Sides that are alike in the base, or a lesion of one side without effect there, may differ in a point.
+    one_sided = any(one.side in SIDES for one in base.lesions)
+    given = base.left is not None or base.right is not None or one_sided
+    apart = given or not parts.isdisjoint(SIDES)
+    walls = 2 if apart else walls_of(base)
+    runs = (replace(base.run, **corner) for corner in corners)
+    return max(node_steps(base, run, run.step_s, walls, patched) for run in runs)
 
 
-def _has_sides(sweep: Sweep) -> bool:
-    """Whether a value of one side is varied."""
-    paths = [path for axis in sweep.axes for path in axis.parameters] + [
+def _varied_parts(sweep: Sweep) -> set[str]:
+    """The outermost part of every path that is varied."""
+    paths = {path for axis in sweep.axes for path in axis.parameters} | {
         path for point in sweep.points for path in point
-    ]
-    return any(path.partition(".")[0] in SIDES for path in paths)
+    }
+    return {path.partition(".")[0] for path in paths}
 
 
 def check_cost(sweep: Sweep, points: int, node_steps: float, setting_points: str, setting_steps: str) -> None:
