@@ -19,7 +19,7 @@ def float32_bytes(array: np.ndarray) -> bytes:
 
 
 def chosen_names(arrays: str | None) -> tuple[str, ...] | None:
-    """Array names from ``a,b``; None for None, which stands for all. ParameterError for a name no result has."""
+    """Array names from ``a,b``; None for None, which means all. ParameterError for a name no result has."""
     if arrays is None:
         return None
     names = tuple(name.strip() for name in arrays.split(",") if name.strip())

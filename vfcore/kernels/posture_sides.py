@@ -15,7 +15,7 @@ The lateral coordinate ξ of each side points away from the midline. Left and ri
 
 and then meet in a sagittal plane, m to the left of the midline (m < 0: to the right). The collision law of each side is
 that of one side with the plane in place of the midline: ξ_l − m in place of ξ_l, ξ_r + m in place of ξ_r. Both
-processes are then beyond the plane, because m lies between ξ_02,l and −ξ_02,r. It stands where the lateral contact
+processes are then beyond the plane, because m lies between ξ_02,l and −ξ_02,r. It lies where the lateral contact
 forces balance:
 
     b(m) = F_x,col,l(ξ_l − m, θ_l) − F_x,col,r(ξ_r + m, θ_r) = 0
@@ -81,7 +81,7 @@ def place_side(first, u, activation, passive, muscles, free, part, r, jac):
 
 @inlined
 def side_in_contact(theta, j):
-    """What the collision of one side needs beside ξ: X, Y, κ, ∂κ/∂θ_a, and F_x/T."""
+    """What the collision of one side needs in addition to ξ: X, Y, κ, ∂κ/∂θ_a, and F_x/T."""
     X, Y = j.x_CAJ_m - j.vocal_process_x_m, j.y_CAJ_m
     k, dk = stiffening(theta, j.kappa_quadratic_rad2, j.kappa_quartic_rad4, j.kappa_limit_rad)
     return X, Y, j.kappa_n_m_rad * k, j.kappa_n_m_rad * dk, -X * math.cos(theta) + Y * math.sin(theta)

@@ -76,7 +76,7 @@ def posture_of(request: Simulation) -> PostureSolution:
 
 def postures_of(folds: Sequence[Simulation]) -> tuple[PostureSolution, ...]:
     """The posture of each fold of a request. Two sides that both follow their muscles are solved together; a side whose
-    posture is given stands by itself, and the other as if it had a mirror image.
+    posture is given has that posture, and the other is solved as if it had a mirror image.
     """
     if len(folds) == 1 or any(fold.posture is not None for fold in folds):
         return tuple(posture_of(fold) for fold in folds)

@@ -218,8 +218,8 @@ def common_to_both_sides(path: str) -> ParameterError | None:
     """The error for a path on one side of what both sides share; None for other paths."""
     first, _, rest = path.partition(".")
     inside = [row for row in DECLARATIONS.values() if row.path == rest or row.path.startswith(f"{rest}.")]
-    if first in SIDES and rest in LISTS:
-        return ParameterError(path, "is a list of the request, not of a side", f"{rest}, of which each has its side")
+    if first in SIDES and rest.partition(".")[0] in LISTS:
+        return ParameterError(path, "is a list of the request, not of a side", f"{rest}, where each has its side")
     if first not in SIDES or not rest or not inside or any(row.per_side for row in inside):
         return None
     return not_per_side(first, rest, inside[0].metadata.get("common", "") if len(inside) == 1 else "")

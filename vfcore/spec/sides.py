@@ -59,7 +59,7 @@ def fold_on(request: Request, side: str) -> Request:
 
 
 def resolved_folds(request: Request) -> tuple[Request, ...] | None:
-    """What ``folds_of`` returns, found anew; None where it is the request itself.
+    """What ``folds_of`` returns, computed; None where it is the request itself.
 
     Raises ParameterError with the path of the first value of a side that cannot be used.
     """

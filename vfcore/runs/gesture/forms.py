@@ -1,6 +1,6 @@
 """Compiled forms of the step, before a voice needs them.
 
-To compile a form takes 3 to 10 s, to load it from the cache of kernels 20 ms. A mark beside the cache says that a form
+To compile a form takes 3 to 10 s, to load it from the cache of kernels 20 ms. A mark file in the cache says that a form
 has been compiled, so that a process in which nothing may wait can leave the compiling to another one.
 """
 
